@@ -1,0 +1,1 @@
+"""The science: arrays in, frozen dataclasses out. Nothing here imports QGIS."""

@@ -1,0 +1,15 @@
+"""Load the checkout as the package ``ichnograph``, whatever its folder is called."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parent
+
+if "ichnograph" not in sys.modules:
+    spec = importlib.util.spec_from_file_location(
+        "ichnograph", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    package = importlib.util.module_from_spec(spec)
+    sys.modules["ichnograph"] = package
+    spec.loader.exec_module(package)
