@@ -1,0 +1,155 @@
+"""One site from one or more scan files of any readable format."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional, Union
+
+import numpy as np
+from rasterio.crs import CRS
+
+from ..errors import InputError
+from ..progress import Progress
+from .crs import horizontal, name_of, require_metres
+from .las import LasSource
+from .source import Chunk, Source
+from .text import TextSource
+
+# A new format joins here with one line.
+READERS = {
+    ".las": LasSource.open,
+    ".laz": LasSource.open,
+    ".xyz": TextSource.open,
+    ".txt": TextSource.open,
+    ".csv": TextSource.open,
+    ".asc": TextSource.open,
+    ".pts": TextSource.open,
+}
+
+
+@dataclass(frozen=True)
+class Cloud:
+    """The points of several files in one coordinate reference system.
+
+    Attributes
+    ----------
+    sources : tuple of Source
+        One for each file, in the given order.
+    origin : ndarray of float64, shape (3,)
+        Near the points; multiples of 100 m in x and y, 0 in z.
+    crs : CRS or None
+        Horizontal and in metres.
+    warnings : tuple of str
+        What the user should know about the files, in sentences.
+    """
+
+    sources: tuple[Source, ...]
+    origin: np.ndarray
+    crs: Optional[CRS]
+    warnings: tuple[str, ...]
+
+    def chunks(self, progress: Progress = Progress(), size: int = 1_000_000) -> Iterator[Chunk]:
+        """Yield the points of all files in order; can be called any number of times.
+
+        Parameters
+        ----------
+        progress : Progress
+        size : int
+            Largest number of points in a chunk.
+
+        Raises
+        ------
+        InputError
+            If a file turns out to be truncated or damaged.
+        CancelledError
+            If the caller asked to stop.
+        """
+        for source, part in self.parts(progress):
+            yield from source.chunks(self.origin, part, size)
+
+    def parts(self, progress: Progress) -> Iterator[tuple[Source, Progress]]:
+        """Yield every source with its part of the progress, in proportion to the bytes."""
+        sizes = [source.path.stat().st_size for source in self.sources]
+        ends = np.cumsum(sizes) / sum(sizes)
+        for source, start, stop in zip(self.sources, [0.0, *ends], ends):
+            yield source, progress.part(start, stop)
+
+
+def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> Cloud:
+    """Open scan files as one site.
+
+    Parameters
+    ----------
+    paths : sequence of str or Path
+    crs : CRS, optional
+        For the files that name none themselves.
+
+    Raises
+    ------
+    InputError
+        If a file is missing, empty, truncated, of another format than its extension says or
+        of an unknown one, or if the coordinates are not metres of one reference system.
+    """
+    if not paths:
+        raise InputError("No point cloud was given; choose at least one file.")
+    files = [Path(path) for path in paths]
+    repeated = next((path for index, path in enumerate(files) if path in files[:index]), None)
+    if repeated:
+        raise InputError(f"{repeated} is given twice; remove it once.")
+    sources = tuple(_open(path) for path in files)
+    common, warnings = _common_crs(sources, crs)
+    middle = sources[0].middle
+    return Cloud(
+        sources=sources,
+        origin=np.array([*(np.floor(middle[:2] / 100) * 100), 0.0]),
+        crs=common,
+        warnings=tuple(sentence for source in sources for sentence in source.warnings) + warnings,
+    )
+
+
+def _open(path: Path) -> Source:
+    read = READERS.get(path.suffix.lower())
+    if read is None:
+        raise InputError(
+            f"{path} has an extension that is not known; convert it to one of {', '.join(READERS)}."
+        )
+    if not path.is_file():
+        raise InputError(f"{path} does not exist or is no file; check the name and the folder.")
+    if path.stat().st_size == 0:
+        raise InputError(f"{path} is empty; copy or export it again.")
+    return read(path)
+
+
+def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Optional[CRS], tuple[str, ...]]:
+    """Return the reference system of all sources, and what is to be said about it."""
+    if chosen is not None:
+        chosen = horizontal(chosen)
+        require_metres(chosen, "the cloud in the chosen coordinate reference system")
+    known = [(source.path, source.crs or chosen) for source in sources if source.crs or chosen]
+    if not known:
+        return None, (
+            f"There is no coordinate reference system in {_listed(sources)} and none was chosen, "
+            "so the results have none either.",
+        )
+    first, common = known[0]
+    for path, crs in known:
+        require_metres(crs, str(path))
+        if crs != common:
+            raise InputError(
+                f"{first} is in {name_of(common)}, but {path} in {name_of(crs)}; "
+                "reproject them to the same coordinate reference system."
+            )
+    silent = tuple(source for source in sources if not (source.crs or chosen))
+    if silent:
+        return common, (
+            f"There is no coordinate reference system in {_listed(silent)}, so {name_of(common)} "
+            "of the other files is taken.",
+        )
+    if chosen is not None and chosen != common:
+        return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)
+    return common, ()
+
+
+def _listed(sources: tuple[Source, ...]) -> str:
+    others = f" and {len(sources) - 1} more" if len(sources) > 1 else ""
+    return f"{sources[0].path.name}{others}"

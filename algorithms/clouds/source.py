@@ -1,0 +1,77 @@
+"""What every cloud format offers: one open file that streams its points in chunks."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+from rasterio.crs import CRS
+
+from ..errors import InputError
+from ..progress import Progress
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """Consecutive points of one file.
+
+    Attributes
+    ----------
+    xyz : ndarray of float64, shape (n, 3)
+        Metres, relative to the origin of the cloud; always finite.
+    intensity : ndarray of uint16, shape (n,), or None
+        None if the file has none.
+    rgb : ndarray of uint16, shape (n, 3), or None
+        0..65535; None if the file has no colour.
+    """
+
+    xyz: np.ndarray
+    intensity: Optional[np.ndarray]
+    rgb: Optional[np.ndarray]
+
+
+@dataclass(frozen=True)
+class Source(ABC):
+    """A file that was looked into and can be streamed any number of times.
+
+    It holds no open file, so it can be sent to another process.
+
+    Attributes
+    ----------
+    path : Path
+    crs : CRS or None
+        Horizontal coordinate reference system that the file itself names.
+    warnings : tuple of str
+        What the user should know about this file, in sentences.
+    middle : ndarray of float64, shape (3,)
+        A place amid the points, in the coordinates of the file.
+    has_intensity, has_rgb : bool
+        Whether the chunks carry them.
+    """
+
+    path: Path
+    crs: Optional[CRS]
+    warnings: tuple[str, ...]
+    middle: np.ndarray
+    has_intensity: bool
+    has_rgb: bool
+
+    @abstractmethod
+    def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
+        """Yield all points in file order, `size` at a time, relative to `origin`.
+
+        Raises
+        ------
+        InputError
+            If the file turns out to be truncated or damaged.
+        CancelledError
+            If the caller asked to stop.
+        """
+
+
+def unreadable(path: Path, error: OSError) -> InputError:
+    """Return the error for a file that the system does not let us read."""
+    reason = error.strerror or error
+    return InputError(f"{path} cannot be read ({reason}); check that it exists and may be read.")

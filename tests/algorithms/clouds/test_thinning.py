@@ -1,0 +1,109 @@
+"""Thinning keeps a minimum distance, misses nobody, and depends on nothing but the points."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from ichnograph.algorithms.clouds.thinning import thin_cloud
+from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.progress import Progress
+from scipy.spatial import cKDTree
+
+ORIGIN = np.array([412_300.0, 5_812_700.0, 0.0])
+
+
+def cloud_of(*parts, origin=ORIGIN):
+    """Return a cloud whose chunks are `parts`, in metres about `origin`."""
+    chunks = [SimpleNamespace(xyz=np.asarray(part, float).reshape(-1, 3)) for part in parts]
+    source = SimpleNamespace(path=SimpleNamespace(name="scan.laz"))
+    return SimpleNamespace(
+        chunks=lambda progress: iter(chunks), origin=origin, warnings=(), sources=(source,)
+    )
+
+
+def scattered(count, seed=0, size=(9.0, 6.0, 3.0)):
+    """Random points at millimetres, as in a file, over several tiles."""
+    points = np.random.default_rng(seed).uniform(-1, 1, (count, 3)) * size
+    return points.round(3)
+
+
+def test_no_two_kept_points_are_closer_than_the_spacing():
+    points = scattered(40_000)
+    kept = points[thin_cloud(cloud_of(points), 0.25).kept]
+    nearest = cKDTree(kept).query(kept, k=2)[0][:, 1]
+    assert nearest.min() >= 0.25 - 1e-9
+
+
+def test_every_dropped_point_is_closer_than_the_spacing_to_a_kept_one():
+    points = scattered(40_000)
+    kept = points[thin_cloud(cloud_of(points), 0.25).kept]
+    assert cKDTree(kept).query(points)[0].max() < 0.25
+
+
+def test_points_exactly_the_spacing_apart_are_all_kept_at_grid_coordinates():
+    x, y = np.meshgrid(np.arange(200) * 0.05, np.arange(200) * 0.05)
+    points = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, 71.3)])
+    assert len(thin_cloud(cloud_of(points), 0.05).kept) == x.size
+
+
+def test_a_slope_keeps_no_stripes_where_it_crosses_the_layers_of_a_grid():
+    x, y = np.meshgrid(np.arange(0, 8, 0.01), np.arange(0, 2, 0.01))
+    points = np.column_stack([x.ravel(), y.ravel(), 0.1 * x.ravel()])
+    kept = points[thin_cloud(cloud_of(points), 0.05).kept]
+    counts = np.histogram(kept[:, 0], bins=np.arange(0, 8.01, 0.1))[0]
+    assert counts.std() < 0.1 * counts.mean()
+
+
+def test_duplicates_leave_one_point():
+    assert thin_cloud(cloud_of(np.zeros((100, 3))), 0.05).kept.tolist() == [0]
+
+
+@settings(max_examples=15, deadline=None)
+@given(cuts=st.lists(st.integers(0, 3000), max_size=5), seed=st.integers(0, 5))
+def test_the_result_does_not_depend_on_how_the_cloud_is_cut(cuts, seed):
+    points = scattered(3000, seed)
+    whole = thin_cloud(cloud_of(points), 0.4).kept
+    parts = np.split(points, sorted(cuts))
+    np.testing.assert_array_equal(thin_cloud(cloud_of(*parts), 0.4).kept, whole)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seed=st.integers(0, 1000))
+def test_the_result_does_not_depend_on_the_order_of_the_points(seed):
+    points = scattered(3000)
+    order = np.random.default_rng(seed).permutation(len(points))
+    kept = {tuple(p) for p in points[thin_cloud(cloud_of(points), 0.4).kept]}
+    shuffled = points[order]
+    assert {tuple(p) for p in shuffled[thin_cloud(cloud_of(shuffled), 0.4).kept]} == kept
+
+
+def test_the_result_does_not_depend_on_the_local_origin():
+    points = scattered(5000)
+    moved = cloud_of(points + [300.0, -200.0, 0.0], origin=ORIGIN - [300.0, -200.0, 0.0])
+    np.testing.assert_array_equal(thin_cloud(moved, 0.3).kept, thin_cloud(cloud_of(points), 0.3).kept)
+
+
+def test_a_spacing_wider_than_a_tile_holds_too():
+    points = scattered(4000, size=(40.0, 40.0, 1.0))
+    kept = points[thin_cloud(cloud_of(points), 9.0).kept]
+    assert cKDTree(kept).query(kept, k=2)[0][:, 1].min() >= 9.0 - 1e-9
+    assert cKDTree(kept).query(points)[0].max() < 9.0
+
+
+def test_a_few_absurd_points_are_left_out_with_a_warning():
+    points = np.concatenate([scattered(1000), [[0.0, 0.0, 1e12], [1e13, 0.0, 0.0]]])
+    thinned = thin_cloud(cloud_of(points), 0.4)
+    assert thinned.kept.max() < 1000
+    assert "2 of 1002 points" in thinned.warnings[0]
+
+
+def test_geocentric_coordinates_are_refused():
+    with pytest.raises(InputError, match=r"scan\.laz.*geocentric"):
+        thin_cloud(cloud_of(scattered(100) + [0, 0, 4_900_000.0]), 0.05)
+
+
+def test_cancelling_stops_the_work():
+    with pytest.raises(CancelledError):
+        thin_cloud(cloud_of(scattered(100)), 0.05, Progress(is_cancelled=lambda: True))
