@@ -1,0 +1,76 @@
+"""Writing and reading georeferenced rasters."""
+
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+import rasterio
+from affine import Affine
+from rasterio.crs import CRS
+
+from .files import atomic_output
+
+NODATA = -9999.0
+"""Marks pixels without a value in float rasters."""
+
+
+def write_raster(
+    path: Path, bands: dict, transform: Affine, crs: Optional[CRS], nodata: Optional[float] = None
+) -> None:
+    """Write a tiled, compressed GeoTIFF.
+
+    Parameters
+    ----------
+    path : Path
+        Replaced only when the new file is whole.
+    bands : dict of str to ndarray, shape (rows, columns)
+        Band descriptions and values, all of one type; nan becomes `NODATA` in float bands.
+    transform : Affine
+        From (column, row) to world coordinates.
+    crs : CRS or None
+    nodata : float, optional
+        Value of integer bands that means none.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    arrays = list(bands.values())
+    floating = arrays[0].dtype.kind == "f"
+    profile = {
+        "driver": "GTiff",
+        "height": arrays[0].shape[0],
+        "width": arrays[0].shape[1],
+        "count": len(arrays),
+        "dtype": arrays[0].dtype.name,
+        "nodata": NODATA if floating else nodata,
+        "transform": transform,
+        "crs": crs,
+        "tiled": True,
+        "blockxsize": 256,
+        "blockysize": 256,
+        "compress": "deflate",
+        "predictor": 3 if floating else 2,
+        "BIGTIFF": "IF_SAFER",
+    }
+    with atomic_output(path) as temporary, rasterio.open(temporary, "w", **profile) as raster:
+        for number, (name, values) in enumerate(bands.items(), start=1):
+            raster.set_band_description(number, name)
+            raster.update_tags(number, **_statistics(values))
+            filled = np.where(np.isfinite(values), values, NODATA) if floating else values
+            raster.write(filled.astype(values.dtype), number)
+
+
+def _statistics(values: np.ndarray) -> dict:
+    """Return GDAL's names for the statistics of a band, so that no reader has to compute them."""
+    valid = values[np.isfinite(values)]
+    if valid.size == 0:
+        return {}
+    return {
+        "STATISTICS_MINIMUM": float(valid.min()),
+        "STATISTICS_MAXIMUM": float(valid.max()),
+        "STATISTICS_MEAN": float(valid.mean(dtype=float)),
+        "STATISTICS_STDDEV": float(valid.std(dtype=float)),
+        "STATISTICS_VALID_PERCENT": 100.0 * valid.size / values.size,
+    }

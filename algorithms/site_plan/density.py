@@ -1,0 +1,194 @@
+"""The density image of a cloud, with the heights that tell a wall from a floor.
+
+Mueller et al. 2012, section 2.1: the cloud is thinned to a minimum distance and each point spreads over the
+pixels around it. The heights are read from all points on the way.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from affine import Affine
+from numba import njit
+from rasterio.crs import CRS
+
+from ..clouds.cloud import Cloud
+from ..clouds.thinning import thin_tiles, tile_edge
+from ..clouds.tiles import LATTICE, Tile, TileStore, fill, names_of, stray_warning, to_lattice
+from ..errors import InputError
+from ..progress import Progress
+from .grid import Grid, make_grid, site_tiles
+from .ground import CELL, at_pixels, ground_surface, lowest_surface
+
+WINDOW = (0.3, 2.3)
+"""Heights above the local ground, in metres, between which a column counts as occupied."""
+
+BIN = 0.1
+"""Height of the bins that are occupied or not, in metres."""
+
+
+@dataclass(frozen=True)
+class DensityImage:
+    """A density image; arrays of float32, shape (rows, columns), the top row first.
+
+    Attributes
+    ----------
+    density : ndarray
+        Points per pixel, spread by inverse distance; nan where no point contributes.
+    occupied : ndarray
+        Occupied height in metres: `BIN` times the number of bins in `WINDOW` that hold a point.
+    base, top : ndarray
+        Height of the lowest and the highest point in metres; nan where the pixel holds none.
+    ground : ndarray
+        Height of the local ground in metres.
+    transform : Affine
+        From (column, row) to world coordinates.
+    crs : CRS or None
+    points_in, points_kept : int
+        Points before and after thinning.
+    warnings : tuple of str
+    """
+
+    density: np.ndarray
+    occupied: np.ndarray
+    base: np.ndarray
+    top: np.ndarray
+    ground: np.ndarray
+    transform: Affine
+    crs: CRS
+    points_in: int
+    points_kept: int
+    warnings: tuple
+
+
+def density_image(
+    cloud: Cloud,
+    spacing: float = 0.05,
+    pixel_size: float = 0.10,
+    neighbourhood: int = 1,
+    progress: Progress = Progress(),
+) -> DensityImage:
+    """Compute the density image of a cloud.
+
+    Parameters
+    ----------
+    cloud : Cloud
+        One site.
+    spacing : float
+        Minimum distance between the points that are counted, in metres.
+    pixel_size : float
+        Metres.
+    neighbourhood : int
+        A point spreads over (2 * neighbourhood + 1) squared pixels; 0 gives the plain histogram.
+    progress : Progress
+        Reports and cancels.
+
+    Raises
+    ------
+    InputError
+        If all points have the same position, or the raster would be too large.
+    """
+    with TileStore(tile_edge(spacing)) as store:
+        fill(store, cloud, progress.part(0.0, 0.5))
+        keys, stray = site_tiles(store)
+        low, high, ground, surface = _survey(store, keys, progress.part(0.5, 0.6))
+        if (low == high).all():
+            raise InputError(f"{names_of(cloud)}: all points have the same position; is it a scan?")
+        grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
+        layers = _Layers(grid, at_pixels(ground_surface(surface), ground, grid))
+        kept = 0
+        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.6, 1.0)):
+            layers.add(tile, rows, neighbourhood)
+            kept += len(rows)
+        return _image(layers, cloud, store.point_count, kept, stray)
+
+
+def _survey(store: TileStore, keys: list, progress: Progress) -> tuple:
+    """Return the smallest and largest x, y, z of the site, the ground's grid and lowest surface."""
+    columns, rows = np.array(keys).T
+    cell = to_lattice(CELL)
+    low = np.array([columns.min(), rows.min()]) * store.edge
+    high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
+    ground = make_grid(low, high, cell, 0)
+    surface = np.full(ground.shape, np.inf)
+    least, most = [], []
+    for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
+        lowest_surface(tile, ground, surface)
+        offset = np.array([*tile.corner, 0])
+        least.append(tile.xyz.min(axis=0) + offset)
+        most.append(tile.xyz.max(axis=0) + offset)
+    return np.min(least, axis=0), np.max(most, axis=0), ground, surface
+
+
+class _Layers:
+    """Accumulators of the bands; rows count from the bottom."""
+
+    def __init__(self, grid: Grid, ground: np.ndarray) -> None:
+        self.grid = grid
+        self.ground = ground
+        self.density = np.zeros(grid.shape)
+        self.bits = np.zeros(grid.shape, np.uint32)
+        self.base = np.full(grid.shape, np.inf, np.float32)
+        self.top = np.full(grid.shape, -np.inf, np.float32)
+
+    def add(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
+        """Spread the kept points of a tile, and note the heights of all."""
+        x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
+        _spread(self.density, tile.xyz[kept], x0, y0, self.grid.step, neighbourhood)
+        heights = (self.ground, self.bits, self.base, self.top)
+        _stack(*heights, tile.xyz, x0, y0, self.grid.step, LATTICE, *WINDOW, BIN)
+
+
+@njit(nogil=True, cache=True)
+def _spread(density, xyz, x0, y0, step, neighbourhood):
+    """Add each point with weights inverse to the distances from the pixel centres, of sum 1."""
+    width = 2 * neighbourhood + 1
+    weights = np.empty((width, width))
+    for i in range(len(xyz)):
+        x, y = (xyz[i, 0] + x0) / step, (xyz[i, 1] + y0) / step
+        column, row = int(np.floor(x)), int(np.floor(y))
+        x -= column + 0.5
+        y -= row + 0.5
+        if x == 0.0 and y == 0.0:
+            density[row, column] += 1.0
+            continue
+        for r in range(width):
+            for c in range(width):
+                weights[r, c] = 1.0 / np.hypot(x - (c - neighbourhood), y - (r - neighbourhood))
+        weights /= weights.sum()
+        for r in range(width):
+            for c in range(width):
+                density[row + r - neighbourhood, column + c - neighbourhood] += weights[r, c]
+
+
+@njit(nogil=True, cache=True)
+def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, high, bin_height):
+    """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
+    for i in range(len(xyz)):
+        column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
+        z = xyz[i, 2] * lattice
+        base[row, column] = min(base[row, column], z)
+        top[row, column] = max(top[row, column], z)
+        height = z - ground[row, column]
+        if low <= height < high:
+            bits[row, column] |= np.uint32(1) << np.uint32((height - low) / bin_height)
+
+
+def _image(layers: _Layers, cloud: Cloud, points_in: int, kept: int, stray: int) -> DensityImage:
+    counts = sum((layers.bits >> np.uint32(k)) & np.uint32(1) for k in range(32))
+
+    def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
+        return np.where(valid, band, np.nan).astype(np.float32)[::-1]
+
+    held = np.isfinite(layers.base)
+    return DensityImage(
+        density=top_down(layers.density, layers.density > 0),
+        occupied=top_down(counts * BIN, layers.density > 0),
+        base=top_down(layers.base, held),
+        top=top_down(layers.top, held),
+        ground=layers.ground[::-1].astype(np.float32),
+        transform=layers.grid.transform,
+        crs=cloud.crs,
+        points_in=points_in,
+        points_kept=kept,
+        warnings=(*cloud.warnings, *stray_warning(cloud, stray, points_in)),
+    )

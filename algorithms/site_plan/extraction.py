@@ -1,0 +1,162 @@
+"""Wall pixels of a density image: thresholds, criteria, combination, closing (section 2.2)."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from ..errors import NothingFoundError
+from ..progress import Progress
+from .closing import bridge_corners, close_gaps
+from .gate import Gate, Heights, make_gate
+from .regions import Criteria, select_regions
+from .thresholds import Thresholds, choose_thresholds
+
+CLOSING_SEEN = 0.8
+"""Gap (m) closed by default where ground that was seen stays open: a thick wall between its faces."""
+
+CLOSING_BLIND = 0.4
+"""Gap (m) closed by default where only the density is known: narrower than any passage."""
+
+
+@dataclass(frozen=True)
+class WallParameters:
+    """The five parameters of the paper, the gate, and the advanced two. None derives a value.
+
+    Attributes
+    ----------
+    threshold, threshold_max : float or None
+        Lowest and highest threshold in standard deviations of the density image.
+    min_area : float or None
+        Smallest region, m2; derived: a metre of a wall one pixel thick.
+    max_fill : float
+        Largest area / bounding box area of a curved wall.
+    min_elongation : float
+        Smallest major / minor axis of the best-fit ellipse of a straight wall.
+    closing : float or None
+        Widest gap that is closed, metres; derived: `CLOSING_SEEN` where the heights tell where the
+        ground was seen, `CLOSING_BLIND` where they do not.
+    min_height : float
+        Least occupied height of a wall pixel, metres; 0 gives the paper's plain chain.
+    threshold_steps : int
+        Number of thresholds.
+    """
+
+    threshold: Optional[float] = None
+    min_area: Optional[float] = None
+    max_fill: float = 0.4
+    min_elongation: float = 3.0
+    closing: Optional[float] = None
+    min_height: float = 0.4
+    threshold_steps: int = 10
+    threshold_max: Optional[float] = None
+
+    def criteria(self, pixel_size: float) -> Criteria:
+        """Return the region criteria for pixels of a size in metres."""
+        min_area = pixel_size * 1.0 if self.min_area is None else self.min_area
+        return Criteria(min_area, self.max_fill, self.min_elongation)
+
+    def gap(self, gate: Gate) -> float:
+        """Return the widest gap to close behind a gate, in metres."""
+        if self.closing is not None:
+            return self.closing
+        return CLOSING_BLIND if gate.open_ground is None else CLOSING_SEEN
+
+
+@dataclass(frozen=True)
+class WallImage:
+    """Wall pixels.
+
+    Attributes
+    ----------
+    walls : ndarray of bool, shape (rows, columns)
+    votes : ndarray of uint8, shape (rows, columns)
+        Number of thresholds at which the pixel belonged to a wall region, before closing.
+    gated : ndarray of float, shape (rows, columns)
+        The density that the thresholds were applied to, 0 where there is none.
+    thresholds : Thresholds
+    gap : float
+        Widest gap that was closed, metres.
+    criteria : Criteria
+    warnings : tuple of str
+    """
+
+    walls: np.ndarray
+    votes: np.ndarray
+    gated: np.ndarray
+    thresholds: Thresholds
+    gap: float
+    criteria: Criteria
+    warnings: tuple
+
+
+def extract_wall_pixels(
+    density: np.ndarray,
+    heights: Optional[Heights],
+    pixel_size: float,
+    parameters: WallParameters,
+    progress: Progress = Progress(),
+) -> WallImage:
+    """Find the wall pixels of a density image.
+
+    Parameters
+    ----------
+    density : ndarray of float, shape (rows, columns)
+        Nan where there is none.
+    heights : Heights or None
+        None if only the density is known.
+    pixel_size : float
+        Metres.
+    parameters : WallParameters
+        What counts as wall.
+    progress : Progress
+        Reports and cancels.
+
+    Raises
+    ------
+    NothingFoundError
+        If no region is left; the message says what removed them.
+    """
+    gate = make_gate(density, heights, parameters.min_height)
+    thresholds = choose_thresholds(
+        density,
+        gate.flat,
+        gate.tall,
+        parameters.threshold,
+        parameters.threshold_max,
+        parameters.threshold_steps,
+    )
+    gated = np.where(gate.tall, np.nan_to_num(density), 0.0)
+    criteria = parameters.criteria(pixel_size)
+    selections = []
+    for i, value in enumerate(thresholds.values):
+        progress.update(i / len(thresholds.values), f"Threshold {value:.2f}")
+        binary = (gated > 0) & (gated >= value * thresholds.deviation)
+        selections.append(select_regions(binary, pixel_size, criteria, gate.column))
+    votes = np.sum([selection.kept for selection in selections], axis=0, dtype=np.uint8)
+    if not votes.any():
+        raise NothingFoundError(_what_removed(gate, parameters, criteria, thresholds, selections))
+    gap = parameters.gap(gate)
+    walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
+    walls = bridge_corners(walls, gated)
+    return WallImage(walls, votes, gated, thresholds, gap, criteria, gate.warnings)
+
+
+def _what_removed(
+    gate: Gate,
+    parameters: WallParameters,
+    criteria: Criteria,
+    thresholds: Thresholds,
+    selections: list,
+) -> str:
+    regions = sum(selection.regions for selection in selections)
+    small = sum(selection.too_small for selection in selections)
+    shape = sum(selection.wrong_shape for selection in selections)
+    return (
+        f"No wall found: MIN_HEIGHT {parameters.min_height:g} m left {int(gate.tall.sum())} of "
+        f"{gate.tall.size} pixels; over {len(thresholds.values)} thresholds from "
+        f"{thresholds.values[0]:.2f} to {thresholds.values[-1]:.2f} standard deviations they formed "
+        f"{regions} regions, of which MIN_AREA {criteria.min_area:g} m2 removed {small}, and "
+        f"MAX_FILL {criteria.max_fill:g} with MIN_ELONGATION {criteria.min_elongation:g} removed "
+        f"{shape}; relax the one that removed most."
+    )

@@ -1,0 +1,91 @@
+"""What the heights in a density raster tell: where a wall may stand, and where the ground was seen.
+
+A wall fills its column from the ground up without gaps. Density alone cannot see that: ceiling beams, slab
+edges and crowns are as dense as walls. The occupied height can.
+"""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+FLAT = 0.15
+"""Occupied height (m) up to which a pixel shows horizontal surfaces only: a single bin."""
+
+GROUND_STEP = 0.3
+"""A lowest point up to this height (m) above the local ground is the ground itself."""
+
+COLUMN_HEIGHT = 1.5
+"""Occupied height (m) of a column: three quarters of the window that is looked at."""
+
+SLICE = 0.7
+"""A cloud that nowhere rises this high (m) above its ground is a horizontal slice."""
+
+
+@dataclass(frozen=True)
+class Heights:
+    """The bands of a density raster that tell heights; float, shape (rows, columns), metres."""
+
+    occupied: np.ndarray
+    base: np.ndarray
+    top: np.ndarray
+    ground: np.ndarray
+
+
+@dataclass(frozen=True)
+class Gate:
+    """Masks of shape (rows, columns).
+
+    Attributes
+    ----------
+    tall : ndarray of bool
+        Pixels that may be wall.
+    flat : ndarray of bool
+        Pixels that show horizontal surfaces only.
+    column : ndarray of bool or None
+        Pixels filled to a column's height; None where the gate is open.
+    open_ground : ndarray of bool or None
+        Pixels in which the ground was seen; None where the gate is open.
+    warnings : tuple of str
+    """
+
+    tall: np.ndarray
+    flat: np.ndarray
+    column: Optional[np.ndarray]
+    open_ground: Optional[np.ndarray]
+    warnings: tuple
+
+
+def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float) -> Gate:
+    """Return the gate for a density image.
+
+    It is open, so that every pixel may be wall, if the heights are unknown, if the cloud is a
+    horizontal slice, or if `min_height` is 0.
+
+    Parameters
+    ----------
+    density : ndarray of float, shape (rows, columns)
+        Nan where there is none.
+    heights : Heights or None
+        Heights of the same pixels.
+    min_height : float
+        Least occupied height of a wall pixel, metres.
+    """
+    held = np.isfinite(density)
+    if heights is None:
+        unknown = "The raster has no bands of heights: MIN_HEIGHT is not applied."
+        return Gate(held, held, None, None, (unknown,) if min_height > 0 else ())
+    if float(np.nanpercentile(heights.top - heights.ground, 99.9)) < SLICE:
+        sliced = (
+            f"The points reach less than {SLICE:g} m above their ground, as in a horizontal slice: "
+            "MIN_HEIGHT is not applied."
+        )
+        nothing = np.zeros(held.shape, bool)
+        return Gate(held, nothing, None, None, (sliced,) if min_height > 0 else ())
+    # Rounded, as 0.4 is 0.4000000059604645 in a raster of float32.
+    occupied = np.round(np.nan_to_num(heights.occupied).astype(float), 3)
+    flat = held & (occupied <= FLAT)
+    if min_height == 0:
+        return Gate(held, flat, None, None, ())
+    low = np.nan_to_num(heights.base - heights.ground, nan=np.inf) <= GROUND_STEP
+    return Gate(held & (occupied >= min_height), flat, occupied >= COLUMN_HEIGHT, low, ())

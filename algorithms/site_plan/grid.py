@@ -1,0 +1,135 @@
+"""The pixels of a site: where they lie, and how far the site reaches."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from affine import Affine
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from ..clouds.tiles import LATTICE, TileStore
+from ..errors import InputError
+
+MAX_PIXELS = 100_000_000
+"""Largest raster: a square kilometre at 10 cm; about 3 GB of memory."""
+
+GAP = 20.0
+"""Parts of a site farther apart than this, in metres, are told apart."""
+
+STRAY_SHARE = 1e-3
+"""A part with less than this share of the points is stray: reflections, birds, a neighbour's roof."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Square pixels whose edges are multiples of the pixel size.
+
+    Attributes
+    ----------
+    column, row : int
+        Number of the leftmost column and the lowest row, counted from the coordinates' origin.
+    width, height : int
+        Pixels.
+    step : int
+        Pixel size in lattice steps.
+    """
+
+    column: int
+    row: int
+    width: int
+    height: int
+    step: int
+
+    @property
+    def shape(self) -> tuple:
+        """Rows and columns."""
+        return self.height, self.width
+
+    @property
+    def pixel_size(self) -> float:
+        """Pixel size in metres."""
+        return self.step * LATTICE
+
+    @property
+    def corner(self) -> tuple:
+        """Lower left corner in lattice steps."""
+        return self.column * self.step, self.row * self.step
+
+    @property
+    def transform(self) -> Affine:
+        """Affine transform from (column, row from the top) to world coordinates."""
+        # Division by the lattice's reciprocal is exact where a multiplication by 1e-5 is not.
+        per_metre = round(1 / LATTICE)
+        left = self.column * self.step / per_metre
+        top = (self.row + self.height) * self.step / per_metre
+        size = self.step / per_metre
+        return Affine(size, 0.0, left, 0.0, -size, top)
+
+
+def site_tiles(store: TileStore) -> tuple:
+    """Tell the tiles of the site from those that hold stray points far away.
+
+    Tiles within `GAP` of each other are one part of the site; a part with less than
+    `STRAY_SHARE` of all points is stray.
+
+    Returns
+    -------
+    keys : list of tuple of int
+        Tiles of the site.
+    stray : int
+        Number of points left out.
+    """
+    counts = store.counts()
+    keys = np.array(list(counts))
+    reach = max(round(GAP / 2 / (store.edge * LATTICE)), 1)
+    blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)
+    part = _connected(blocks)[member.ravel()]
+    points = np.bincount(part, weights=list(counts.values()))
+    kept = points[part] >= STRAY_SHARE * points.sum()
+    stray = sum(n for n, keep in zip(counts.values(), kept) if not keep)
+    return [tuple(key) for key in keys[kept].tolist()], stray + store.stray_count
+
+
+def _connected(blocks: np.ndarray) -> np.ndarray:
+    """Label blocks (n, 2) so that those that touch, by an edge or a corner, have one label."""
+    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    pairs = [
+        (i, number[x + dx, y + dy])
+        for (x, y), i in number.items()
+        for dx in (-1, 0, 1)
+        for dy in (-1, 0, 1)
+        if (x + dx, y + dy) in number
+    ]
+    first, second = np.array(pairs).T
+    links = coo_matrix((np.ones(len(pairs)), (first, second)), shape=(len(blocks),) * 2)
+    return connected_components(links, directed=False)[1]
+
+
+def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid:
+    """Return the grid that covers the points between two corners.
+
+    Parameters
+    ----------
+    low, high : ndarray of int64, shape (2,)
+        Smallest and largest x, y; lattice steps.
+    step : int
+        Pixel size; lattice steps.
+    margin : int
+        Pixels added on each side.
+
+    Raises
+    ------
+    InputError
+        If the raster would hold more than `MAX_PIXELS` pixels.
+    """
+    column, row = (int(value) // step - margin for value in low)
+    width = int(high[0]) // step + margin + 1 - column
+    height = int(high[1]) // step + margin + 1 - row
+    if width * height > MAX_PIXELS:
+        size = step * LATTICE
+        raise InputError(
+            f"The raster would be {width} x {height} pixels ({width * size:.0f} x "
+            f"{height * size:.0f} m at PIXEL_SIZE {size:g} m), more than {MAX_PIXELS:,}: raise "
+            "PIXEL_SIZE, or cut the cloud to the site."
+        )
+    return Grid(column, row, width, height, step)

@@ -1,0 +1,112 @@
+"""Wall pixels as polygons (section 2.2, last paragraph)."""
+
+import numpy as np
+from affine import Affine
+from rasterio.features import shapes
+from scipy import ndimage
+from shapely.geometry import Polygon, shape
+from shapely.prepared import prep
+
+TOLERANCE = 0.5
+"""How far an outline may leave the middles of its steps when they are straightened, in pixels."""
+
+CORNER = 3
+"""A corner of an outline is real, not a step, if both its sides are at least this many pixels long."""
+
+
+def label_walls(walls: np.ndarray) -> tuple:
+    """Give the walls the numbers 1, 2, ...; pixels connect over edges.
+
+    Returns
+    -------
+    labels : ndarray of int32, shape (rows, columns)
+    count : int
+    """
+    labels, count = ndimage.label(walls)
+    return labels.astype(np.int32), count
+
+
+def trace_outlines(labels: np.ndarray, transform: Affine) -> dict:
+    """Trace the pixel edges of each wall and straighten their steps.
+
+    A step is straightened as long as the polygons stay valid and do not overlap.
+
+    Parameters
+    ----------
+    labels : ndarray of int32, shape (rows, columns)
+        0 is no wall.
+    transform : Affine
+        From (column, row) to world coordinates.
+
+    Returns
+    -------
+    dict of int to shapely Polygon
+    """
+    # Traced about the raster's corner: large coordinates would cost the straightening its digits.
+    size = transform.a
+    local = Affine(size, 0, 0, 0, -size, 0)
+    traced = shapes(labels, mask=labels > 0, connectivity=4, transform=local)
+    raw = {int(value): shape(outline) for outline, value in traced}
+    plain = {i: _straightened(polygon, size) for i, polygon in raw.items()}
+    outlines = _without_overlaps(plain, raw)
+    return {i: _moved(outlines[i], transform.c, transform.f) for i in sorted(outlines)}
+
+
+def _straightened(polygon: Polygon, size: float) -> Polygon:
+    rings = [_middles(np.asarray(ring.coords)[:-1], size) for ring in (polygon.exterior, *polygon.interiors)]
+    return Polygon(rings[0], rings[1:]).simplify(TOLERANCE * size)
+
+
+def _middles(corners: np.ndarray, size: float) -> np.ndarray:
+    """Replace the steps of a ring by the middles of their sides; real corners stay.
+
+    The outer corners of the steps would lie outside the wall by up to 0.7 pixels, the inner ones
+    inside; the middles are unbiased.
+    """
+    sides = np.roll(corners, -1, axis=0) - corners
+    long = np.abs(sides).sum(axis=1) >= (CORNER - 0.5) * size
+    real = long & np.roll(long, 1)
+    places = np.empty((2 * len(corners), 2))
+    places[::2], places[1::2] = corners, corners + sides / 2
+    wanted = np.empty(len(places), bool)
+    wanted[::2], wanted[1::2] = real, ~(real & np.roll(real, -1))
+    return places[wanted]
+
+
+def _without_overlaps(plain: dict, raw: dict) -> dict:
+    """Take the raw outline wherever the straightened ones would overlap or be invalid."""
+    chosen = {i: plain[i] if _sound(plain[i]) else raw[i] for i in raw}
+    while True:
+        clashing = {i for pair in _overlaps(chosen) for i in pair if chosen[i] is not raw[i]}
+        if not clashing:
+            return chosen
+        chosen.update({i: raw[i] for i in clashing})
+
+
+def _sound(polygon: Polygon) -> bool:
+    return polygon.is_valid and polygon.geom_type == "Polygon" and polygon.area > 0
+
+
+def _overlaps(polygons: dict) -> list:
+    """Return the pairs of numbers of polygons whose interiors meet."""
+    numbers, geometries = list(polygons), list(polygons.values())
+    # Boxes are asked first: shapely 1.8 and 2 answer a tree's query with different things.
+    boxes = np.array([geometry.bounds for geometry in geometries]).reshape(-1, 4)
+    order = np.argsort(boxes[:, 0])
+    pairs = []
+    for rank, i in enumerate(order):
+        prepared = prep(geometries[i])
+        for j in order[rank + 1 :]:
+            if boxes[j, 0] > boxes[i, 2]:
+                break
+            apart = boxes[j, 1] > boxes[i, 3] or boxes[i, 1] > boxes[j, 3]
+            if apart or not prepared.intersects(geometries[j]):
+                continue
+            if geometries[i].intersection(geometries[j]).area > 0:
+                pairs.append((numbers[i], numbers[j]))
+    return pairs
+
+
+def _moved(polygon: Polygon, x: float, y: float) -> Polygon:
+    rings = [np.add(ring.coords, (x, y)) for ring in (polygon.exterior, *polygon.interiors)]
+    return Polygon(rings[0], rings[1:])

@@ -1,0 +1,120 @@
+"""The three criteria by which a connected region counts as wall (Mueller et al. 2012, section 2.2)."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from skimage.measure import label, regionprops
+
+COLUMN_WIDTH = 2.0
+"""Widest free column or pier in metres."""
+
+POST_WIDTH = 0.5
+"""A column up to this width in metres may have no pixels inside its outline."""
+
+HOLLOW = 0.8
+"""Largest share of its convex hull that the outline of a column covers."""
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """Limits of the three criteria.
+
+    Attributes
+    ----------
+    min_area : float
+        Smallest region, m2.
+    max_fill : float
+        Largest area / bounding box area of a curved wall.
+    min_elongation : float
+        Smallest major / minor axis of the best-fit ellipse of a straight wall.
+    """
+
+    min_area: float
+    max_fill: float
+    min_elongation: float
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What the criteria kept of one binary image, and what each removed.
+
+    Attributes
+    ----------
+    kept : ndarray of bool, shape (rows, columns)
+    regions, too_small, wrong_shape : int
+        Number of regions in the image, and of those removed by area and by both shape criteria.
+    """
+
+    kept: np.ndarray
+    regions: int
+    too_small: int
+    wrong_shape: int
+
+
+def select_regions(
+    binary: np.ndarray, pixel_size: float, criteria: Criteria, column: Optional[np.ndarray] = None
+) -> Selection:
+    """Keep the connected regions of a binary image that are large enough and shaped like a wall.
+
+    Parameters
+    ----------
+    binary : ndarray of bool, shape (rows, columns)
+        Pixels above a threshold; regions connect over edges and corners.
+    pixel_size : float
+        Metres.
+    criteria : Criteria
+        Limits.
+    column : ndarray of bool, shape (rows, columns), optional
+        Pixels filled as high as a column is; see `kind_of`.
+    """
+    labels, count = label(binary, connectivity=2, return_num=True)
+    area = np.bincount(labels.ravel(), minlength=count + 1) * pixel_size**2
+    large = area >= criteria.min_area * (1 - 1e-9)
+    large[0] = False
+    passes = np.zeros(count + 1, bool)
+    for region in regionprops(np.where(large[labels], labels, 0)):
+        filled = column is not None and column[region.slice][region.image].mean() > 0.5
+        passes[region.label] = kind_of(region, pixel_size, criteria, filled) is not None
+    too_small = count - int(large.sum())
+    wrong_shape = int(large.sum()) - int(passes.sum())
+    return Selection(passes[labels], count, too_small, wrong_shape)
+
+
+def kind_of(region, pixel_size: float, criteria: Criteria, filled: bool) -> Optional[str]:
+    """Tell by which criterion a region is a wall.
+
+    Beyond the paper, a compact region no wider than `COLUMN_WIDTH` is a column if it is filled to a
+    column's height and hollow, or too narrow to be.
+
+    Parameters
+    ----------
+    region : skimage region
+        One connected region.
+    pixel_size : float
+        Metres.
+    criteria : Criteria
+        Limits.
+    filled : bool
+        Whether the region is occupied to a column's height.
+
+    Returns
+    -------
+    str or None
+        'straight', 'curved', 'column', or None if the region is no wall.
+    """
+    major, minor = region.inertia_tensor_eigvals
+    if major >= criteria.min_elongation**2 * minor:
+        return "straight"
+    rows, columns = region.image.shape
+    if region.area <= criteria.max_fill * rows * columns:
+        return "curved"
+    width = max(rows, columns) * pixel_size
+    if width <= COLUMN_WIDTH and filled and _is_hollow(region, width):
+        return "column"
+    return None
+
+
+def _is_hollow(region, width: float) -> bool:
+    """Tell the outline of a solid, all or most of it seen, from a bush that is full of points."""
+    return width <= POST_WIDTH or region.area <= HOLLOW * region.convex_area

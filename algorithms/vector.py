@@ -1,0 +1,52 @@
+"""Writing vector layers: shapefile or GeoPackage, by extension."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Optional
+
+import fiona
+from rasterio.crs import CRS
+from shapely.geometry import mapping
+
+from .errors import InputError
+from .files import atomic_output
+
+DRIVERS = {".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
+
+
+def write_vector(path: Path, geometry: str, fields: dict, features: Iterable, crs: Optional[CRS]) -> None:
+    """Write features to a shapefile or a GeoPackage.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in .shp or .gpkg; replaced only when the new file is whole.
+    geometry : str
+        Geometry type, as 'Polygon'.
+    fields : dict of str to str
+        Names, ten characters at most, and fiona types.
+    features : iterable of (shapely geometry, dict)
+        Values by field; None is null.
+    crs : CRS or None
+
+    Raises
+    ------
+    InputError
+        If the extension is unknown or the file cannot be written.
+    """
+    path = Path(path)
+    driver = DRIVERS.get(path.suffix.lower())
+    if driver is None:
+        raise InputError(f"{path}: cannot write this kind of layer; end the name in .shp or .gpkg.")
+    schema = {"geometry": geometry, "properties": fields}
+    options = {"encoding": "utf-8"} if driver == "ESRI Shapefile" else {}
+    wkt = crs.to_wkt() if crs else None
+    records = [
+        {"geometry": mapping(shape), "properties": {name: values[name] for name in fields}}
+        for shape, values in features
+    ]
+    with (
+        atomic_output(path) as temporary,
+        fiona.open(temporary, "w", driver=driver, schema=schema, crs_wkt=wkt, **options) as layer,
+    ):
+        layer.writerecords(records)

@@ -1,0 +1,48 @@
+"""Vector layers: by extension, with CRS and nulls."""
+
+import fiona
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.vector import write_vector
+from rasterio.crs import CRS
+from shapely.geometry import box, shape
+
+FIELDS = {"wall_id": "int", "kind": "str:10", "height": "float:12.3"}
+WALLS = [
+    (box(0, 0, 1, 2), {"wall_id": 1, "kind": "straight", "height": 2.5}),
+    (box(3, 0, 4, 2), {"wall_id": 2, "kind": "column", "height": None}),
+]
+
+
+@pytest.mark.parametrize("name", ["walls.shp", "walls.gpkg"])
+def test_features_fields_nulls_and_crs_come_back(tmp_path, name):
+    write_vector(tmp_path / name, "Polygon", FIELDS, WALLS, CRS.from_epsg(25833))
+    with fiona.open(tmp_path / name) as layer:
+        assert CRS.from_wkt(layer.crs_wkt) == CRS.from_epsg(25833)
+        features = list(layer)
+    assert [dict(f["properties"]) for f in features] == [values for _, values in WALLS]
+    assert all(shape(f["geometry"]).equals(outline) for f, (outline, _) in zip(features, WALLS))
+
+
+def test_a_shapefile_has_its_projection_and_its_encoding(tmp_path):
+    write_vector(tmp_path / "walls.shp", "Polygon", FIELDS, WALLS, CRS.from_epsg(25833))
+    assert {p.suffix for p in tmp_path.iterdir()} >= {".shp", ".shx", ".dbf", ".prj", ".cpg"}
+
+
+def test_without_a_crs_there_is_no_projection(tmp_path):
+    write_vector(tmp_path / "walls.shp", "Polygon", FIELDS, WALLS, None)
+    assert not (tmp_path / "walls.prj").exists()
+
+
+def test_another_extension_is_refused_with_the_remedy(tmp_path):
+    with pytest.raises(InputError, match=r"\.shp or \.gpkg"):
+        write_vector(tmp_path / "walls.kml", "Polygon", FIELDS, WALLS, None)
+
+
+def test_a_failed_write_leaves_the_old_layer_untouched(tmp_path):
+    path = tmp_path / "walls.shp"
+    write_vector(path, "Polygon", FIELDS, WALLS, None)
+    before = {p.name: p.read_bytes() for p in tmp_path.iterdir()}
+    with pytest.raises(KeyError):
+        write_vector(path, "Polygon", FIELDS, [(box(0, 0, 1, 1), {"wall_id": 1})], None)
+    assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == before
