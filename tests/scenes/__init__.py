@@ -1,0 +1,12 @@
+"""Simulated terrestrial laser scans of scenes whose true walls are known."""
+
+from .columns import columns
+from .interior import interior
+from .rooms import rooms
+from .ruins import ruins
+from .scene import Scan, Scene
+from .yard import yard
+
+SCENES = {scene.__name__: scene for scene in (interior, yard, ruins, rooms, columns)}
+
+__all__ = ["SCENES", "Scan", "Scene"]

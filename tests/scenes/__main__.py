@@ -1,0 +1,78 @@
+"""Write a simulated scan as LAZ, and the true walls beside it.
+
+python3 -m ichnograph.tests.scenes ruins out.laz --angular-step 0.2 --truth walls.geojson
+"""
+
+import argparse
+from pathlib import Path
+from typing import Optional
+
+import fiona
+import laspy
+import numpy as np
+from shapely.geometry import MultiPolygon, mapping
+
+from . import SCENES, Scan
+
+DRIVERS = {".geojson": "GeoJSON", ".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
+
+
+def write_laz(path: Path, scan: Scan, chosen: np.ndarray, crs: Optional[str]) -> None:
+    """Write the `chosen` points of `scan`; the station, from 1, is the point source id."""
+    points = scan.points[chosen]
+    header = laspy.LasHeader(point_format=0, version="1.2")
+    header.scales = np.full(3, 0.001)
+    header.offsets = np.floor(points.min(axis=0))
+    if crs:
+        from pyproj import CRS
+
+        header.add_crs(CRS.from_user_input(crs))
+    cloud = laspy.LasData(header)
+    cloud.x, cloud.y, cloud.z = points.T
+    cloud.intensity = scan.intensity[chosen]
+    cloud.point_source_id = (scan.station[chosen] + 1).astype(np.uint16)
+    cloud.write(str(path))
+
+
+def write_truth(path: Path, truth: MultiPolygon, crs: Optional[str]) -> None:
+    """Write every polygon of `truth` as a feature."""
+    schema = {"geometry": "Polygon", "properties": {"wall_id": "int"}}
+    driver = DRIVERS[path.suffix.lower()]
+    with fiona.open(str(path), "w", driver=driver, schema=schema, crs=crs) as layer:
+        for number, wall in enumerate(truth.geoms, start=1):
+            layer.write({"geometry": mapping(wall), "properties": {"wall_id": number}})
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="ichnograph.tests.scenes", description=__doc__)
+    parser.add_argument("scene", choices=sorted(SCENES))
+    parser.add_argument("output", type=Path, help="the .laz or .las file to write")
+    parser.add_argument("--angular-step", type=float, default=0.1, help="degrees")
+    parser.add_argument("--noise", type=float, default=0.003, help="metres along the ray")
+    parser.add_argument("--seed", type=int, default=0, help="of the scene and of the scan")
+    parser.add_argument("--move", type=float, nargs=4, metavar=("ANGLE", "X", "Y", "Z"), default=(0, 0, 0, 0))
+    parser.add_argument("--split", action="store_true", help="one file a station")
+    parser.add_argument("--truth", type=Path, help="also write the true walls there")
+    parser.add_argument("--crs", help="such as EPSG:25833")
+    return parser.parse_args()
+
+
+def main() -> None:
+    """Scan the scene that the command line names."""
+    arguments = _arguments()
+    angle, *shift = arguments.move
+    scene = SCENES[arguments.scene](arguments.seed).moved(angle, shift)
+    scan = scene.scan(arguments.angular_step, arguments.noise, arguments.seed)
+    if arguments.split:
+        for station in np.unique(scan.station):
+            name = f"{arguments.output.stem}_{station + 1:02d}{arguments.output.suffix}"
+            chosen = scan.station == station
+            write_laz(arguments.output.with_name(name), scan, chosen, arguments.crs)
+    else:
+        write_laz(arguments.output, scan, np.ones(len(scan.points), bool), arguments.crs)
+    if arguments.truth:
+        write_truth(arguments.truth, scene.truth, arguments.crs)
+
+
+if __name__ == "__main__":
+    main()

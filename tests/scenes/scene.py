@@ -1,0 +1,163 @@
+"""A scene and its scans. All is simulated in the scene's own frame and moved at the end."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from shapely.affinity import affine_transform
+from shapely.geometry import MultiLineString, MultiPolygon
+
+from .scanner import Optics, flatten, panorama, surround
+from .things import Ground, Plant, Prism
+from .truth import dissolved, is_footing, is_wall, seen_boundary
+
+LOWEST_RAY = -60.0
+HIGHEST_RAY = 90.0
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A rotation about z (degrees, anticlockwise), then a shift."""
+
+    angle: float = 0.0
+    shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    @property
+    def rotation(self) -> np.ndarray:
+        """The rotation matrix, shape (3, 3)."""
+        cosine, sine = np.cos(np.radians(self.angle)), np.sin(np.radians(self.angle))
+        return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+
+    def points(self, points: np.ndarray) -> np.ndarray:
+        """Return `points`, shape (n, 3), moved."""
+        return points @ self.rotation.T + self.shift
+
+    def geometry(self, geometry):
+        """Return a shapely `geometry` moved."""
+        return affine_transform(geometry, [*self.rotation[:2, :2].ravel(), *self.shift[:2]])
+
+    def then(self, other: "Pose") -> "Pose":
+        """Return the pose that moves by this one first, then by `other`."""
+        shift = other.points(np.array([self.shift]))[0]
+        return Pose(self.angle + other.angle, tuple(shift))
+
+
+@dataclass(frozen=True)
+class Scan:
+    """What the scanner returned from all stations of a scene.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (n, 3)
+        World coordinates (m).
+    station : ndarray of int, shape (n,)
+        Row of `Scene.stations`.
+    intensity : ndarray of uint16, shape (n,)
+    seen_boundary : MultiLineString
+        The part of the boundary of `Scene.truth` that rays have met.
+    """
+
+    points: np.ndarray
+    station: np.ndarray
+    intensity: np.ndarray
+    seen_boundary: MultiLineString
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Things, the ground they stand on, and the stations to scan them from.
+
+    Parameters
+    ----------
+    name : str
+    prisms : tuple of Prism
+    scanners : ndarray, shape (n, 3)
+        Stations in the frame of the prisms.
+    ground : Ground
+    plants : tuple of Plant
+    max_range : float
+        No return from beyond (m).
+    ghosts : float
+        Share of returns from prisms that come back, reflected, as points far behind.
+    pose : Pose
+        From the frame of the prisms to the world.
+    """
+
+    name: str
+    prisms: tuple[Prism, ...]
+    scanners: np.ndarray
+    ground: Ground = field(default_factory=Ground)
+    plants: tuple[Plant, ...] = ()
+    max_range: float = 80.0
+    ghosts: float = 0.0
+    pose: Pose = field(default_factory=Pose)
+
+    @cached_property
+    def truth(self) -> MultiPolygon:
+        """Footprints of the walls that rise at least 0.8 m above the ground."""
+        return self.pose.geometry(self._local_truth)
+
+    @cached_property
+    def footings(self) -> MultiPolygon:
+        """Footprints of the walls too low to be found."""
+        low = [prism.footprint for prism in self.prisms if is_footing(prism, self.ground)]
+        return self.pose.geometry(dissolved(low))
+
+    @property
+    def stations(self) -> np.ndarray:
+        """Positions of the scanner in the world, shape (n, 3)."""
+        return self.pose.points(self._lifted(self.scanners))
+
+    def moved(self, angle_degrees: float, shift_xyz: tuple[float, float, float]) -> "Scene":
+        """Return the scene turned anticlockwise about the world's z axis, then shifted (m)."""
+        return replace(self, pose=self.pose.then(Pose(angle_degrees, tuple(shift_xyz))))
+
+    def scan(self, angular_step: float = 0.1, range_noise: float = 0.003, seed: int = 0) -> Scan:
+        """Scan the scene from all its stations.
+
+        Parameters
+        ----------
+        angular_step : float
+            Between neighbouring rays, in azimuth and elevation (degrees).
+        range_noise : float
+            Standard deviation along the ray (m).
+        seed : int
+            Of noise, foliage and the first azimuth of each station.
+        """
+        step = np.radians(angular_step)
+        azimuths = step * np.arange(round(360 / angular_step))
+        rows = round((HIGHEST_RAY - LOWEST_RAY) / angular_step)
+        elevations = np.radians(LOWEST_RAY) + step * (np.arange(rows) + 0.5)
+        bodies, surroundings = flatten(self.prisms), surround(self.ground, self.plants)
+        optics = Optics(float(self.max_range), float(range_noise), float(self.ghosts))
+        random = np.random.default_rng(seed)
+        starts = random.uniform(0, step, len(self.scanners))
+        seeds = random.integers(2**32, size=len(self.scanners))
+
+        def scan_from(scanner, start, ray_seed):
+            returned, intensity, hits = panorama(
+                scanner, azimuths + start, elevations, bodies, surroundings, optics, ray_seed
+            )
+            return self.pose.points(self._lifted(returned)), intensity, hits
+
+        with ThreadPoolExecutor() as pool:
+            blocks = list(pool.map(scan_from, self.scanners, starts, seeds))
+        points, intensity, hits = zip(*blocks)
+        walls = np.array([is_wall(prism, self.ground) for prism in self.prisms])
+        return Scan(
+            np.concatenate(points),
+            np.repeat(np.arange(len(points)), [len(block) for block in points]),
+            np.concatenate(intensity),
+            self.pose.geometry(seen_boundary(self._local_truth, walls, bodies, sum(hits))),
+        )
+
+    @cached_property
+    def _local_truth(self) -> MultiPolygon:
+        return dissolved([prism.footprint for prism in self.prisms if is_wall(prism, self.ground)])
+
+    def _lifted(self, points: np.ndarray) -> np.ndarray:
+        if not self.ground.undulation:
+            return points
+        lift = self.ground.lift(points[:, 0], points[:, 1])
+        return points + np.column_stack([np.zeros((len(points), 2)), lift])

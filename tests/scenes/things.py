@@ -1,0 +1,101 @@
+"""What a scene is made of: ground, prisms, plants. Lengths in metres, z upwards."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from shapely.geometry import Polygon
+
+REFLECTANCE = {
+    "wall": 0.7,
+    "lintel": 0.7,
+    "slab": 0.8,
+    "furniture": 0.45,
+    "rubble": 0.6,
+    "trunk": 0.3,
+}
+GROUND_REFLECTANCE = 0.4
+PLANT_REFLECTANCE = 0.5
+
+
+@dataclass(frozen=True)
+class Ground:
+    """A sloping plane through the origin, rough, over a smooth undulation.
+
+    Rays are cast in a world whose ground is the plane; the undulation then shifts every return
+    vertically, whatever it hit, so that walls and plants stay on the ground they stand on.
+
+    Parameters
+    ----------
+    slope_x, slope_y : float
+        Rise per metre.
+    undulation : float
+        Amplitude (m).
+    wavelength : float
+        Of the undulation (m).
+    roughness : float
+        Standard deviation of a ground point's height (m).
+    """
+
+    slope_x: float = 0.0
+    slope_y: float = 0.0
+    undulation: float = 0.0
+    wavelength: float = 15.0
+    roughness: float = 0.005
+
+    def height(self, x, y):
+        """Return the height of the plane."""
+        return self.slope_x * x + self.slope_y * y
+
+    def lift(self, x, y):
+        """Return what the undulation adds to the plane."""
+        turns = 2 * np.pi / self.wavelength
+        return self.undulation * np.sin(turns * (x + 0.3 * y)) * np.cos(turns * (y - 0.4 * x))
+
+
+@dataclass(frozen=True)
+class Prism:
+    """A vertical prism.
+
+    Parameters
+    ----------
+    footprint : Polygon
+        May have holes.
+    top : float
+        Height of the upper face.
+    bottom : float
+        Height of the lower face; minus infinity for what stands on the ground.
+    material : str
+        A key of `REFLECTANCE`; only walls belong to the truth.
+    follows_ground : bool
+        Whether `top` and `bottom` are counted from the ground below, instead of level.
+    """
+
+    footprint: Polygon
+    top: float
+    bottom: float = -np.inf
+    material: str = "wall"
+    follows_ground: bool = False
+
+    def rise(self, ground: Ground) -> float:
+        """Return the height of the top above the ground at the middle of the footprint."""
+        if self.follows_ground:
+            return self.top
+        middle = self.footprint.representative_point()
+        return self.top - ground.height(middle.x, middle.y)
+
+
+@dataclass(frozen=True)
+class Plant:
+    """An ellipsoid of foliage that a ray crosses with probability ``exp(-density * length)``.
+
+    Parameters
+    ----------
+    centre, radii : tuple of three floats
+        In x, y, z.
+    density : float
+        Extinction coefficient (1/m).
+    """
+
+    centre: tuple
+    radii: tuple
+    density: float
