@@ -52,6 +52,8 @@ def write_raster(
         "blockysize": 256,
         "compress": "deflate",
         "predictor": 3 if floating else 2,
+        "zlevel": 1,
+        "num_threads": "all_cpus",
         "BIGTIFF": "IF_SAFER",
     }
     with atomic_output(path) as temporary, rasterio.open(temporary, "w", **profile) as raster:

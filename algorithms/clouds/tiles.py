@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 
 from ..errors import InputError
 from ..progress import Progress
@@ -45,11 +46,14 @@ class Tile:
         x, y relative to the corner, z absolute; lattice steps.
     index : ndarray of int64, shape (n,)
         Number of each point in the cloud, over all files in order.
+    edge : int
+        Edge of the tile, lattice steps.
     """
 
     corner: tuple
     xyz: np.ndarray
     index: np.ndarray
+    edge: int
 
 
 class TileStore:
@@ -94,9 +98,7 @@ class TileStore:
         if not near.all():
             self.stray_count += int((~near).sum())
             xyz, index = xyz[near], index[near]
-        lattice = np.rint(xyz / LATTICE).astype(np.int64)
-        lattice += np.rint(origin / LATTICE).astype(np.int64)
-        key, records = _by_tile(lattice, index, self.edge)
+        key, records = _by_tile(xyz, np.rint(origin / LATTICE).astype(np.int64), index, self.edge)
         starts = np.flatnonzero(np.r_[True, (np.diff(key, axis=0) != 0).any(axis=1)][: len(key)])
         for start, stop in zip(starts, np.r_[starts[1:], len(key)]):
             self._parts[tuple(key[start].tolist())].append((self._end + start, stop - start))
@@ -116,7 +118,7 @@ class TileStore:
             blocks.append(np.fromfile(self._file, _RECORD, int(count)))
         records = np.concatenate(blocks)
         corner = (key[0] * self.edge, key[1] * self.edge)
-        return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"])
+        return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"], self.edge)
 
     def tiles(self, keys: list, progress: Progress, message: str) -> Iterator[tuple]:
         """Yield (key, tile) in the order of `keys`, reporting progress."""
@@ -129,17 +131,30 @@ class TileStore:
             done += counts[key]
 
 
-def _by_tile(lattice: np.ndarray, index: np.ndarray, edge: int) -> tuple:
+def _by_tile(xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int) -> tuple:
     """Return tile keys (n, 2) and records (n,), both sorted by row, then column; a stable order."""
-    key = lattice[:, :2] // edge
+    key, place = _place(np.ascontiguousarray(xyz), origin, edge, LATTICE)
     column, row = (key - key.min(axis=0)).T if len(key) else key.T
     # Scanners write neighbours in sequence, and a stable sort is fast on what is sorted already.
     order = np.argsort(row * (column.max(initial=0) + 1) + column, kind="stable")
-    records = np.empty(len(lattice), _RECORD)
-    records["xyz"][:, :2] = (lattice[:, :2] - key * edge)[order]
-    records["xyz"][:, 2] = lattice[order, 2]
+    records = np.empty(len(key), _RECORD)
+    records["xyz"] = place[order]
     records["index"] = index[order]
     return key[order], records
+
+
+@njit(nogil=True, cache=True)
+def _place(xyz, origin, edge, lattice):
+    """Return the tile of each point, and its lattice coordinates about the tile's corner."""
+    key = np.empty((len(xyz), 2), np.int64)
+    place = np.empty((len(xyz), 3), np.int32)
+    for i in range(len(xyz)):
+        for axis in range(2):
+            value = np.int64(np.rint(xyz[i, axis] / lattice)) + origin[axis]
+            key[i, axis] = value // edge
+            place[i, axis] = value - key[i, axis] * edge
+        place[i, 2] = np.int64(np.rint(xyz[i, 2] / lattice)) + origin[2]
+    return key, place
 
 
 def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:

@@ -31,7 +31,8 @@ def close_gaps(
         return _fill_holes(closed, gap / pixel_size, np.zeros(walls.shape, bool))
     # A single pixel of ground is the foot of the wall; a passage shows more of it.
     proof = ndimage.binary_opening(open_ground & ~walls, np.ones((2, 2)))
-    return _fill_holes(walls | (closed & ~proof), 2 * gap / pixel_size, proof)
+    joined = ndimage.binary_propagation(walls, np.ones((3, 3)), mask=walls | (closed & ~proof))
+    return _fill_holes(joined, 2 * gap / pixel_size, proof)
 
 
 def _closed(walls: np.ndarray, gap: float) -> np.ndarray:

@@ -25,6 +25,8 @@ WINDOW = (0.3, 2.3)
 BIN = 0.1
 """Height of the bins that are occupied or not, in metres."""
 
+BINS = round((WINDOW[1] - WINDOW[0]) / BIN)
+
 
 @dataclass(frozen=True)
 class DensityImage:
@@ -90,7 +92,7 @@ def density_image(
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
         keys, stray = site_tiles(store)
-        low, high, ground, surface = _survey(store, keys, progress.part(0.5, 0.6))
+        low, high, ground, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud)}: all points have the same position; is it a scan?")
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
@@ -102,20 +104,23 @@ def density_image(
         return _image(layers, cloud, store.point_count, kept, stray)
 
 
-def _survey(store: TileStore, keys: list, progress: Progress) -> tuple:
-    """Return the smallest and largest x, y, z of the site, the ground's grid and lowest surface."""
+def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tuple:
+    """Return the smallest and largest x, y, z of the site, the ground's grid and lowest surface.
+
+    A site too large for pixels of `pixel` lattice steps is refused at once.
+    """
     columns, rows = np.array(keys).T
-    cell = to_lattice(CELL)
     low = np.array([columns.min(), rows.min()]) * store.edge
     high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
-    ground = make_grid(low, high, cell, 0)
+    make_grid(low, high, pixel, 0)
+    ground = make_grid(low, high, to_lattice(CELL), 0)
     surface = np.full(ground.shape, np.inf)
     least, most = [], []
     for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
         lowest_surface(tile, ground, surface)
-        offset = np.array([*tile.corner, 0])
-        least.append(tile.xyz.min(axis=0) + offset)
-        most.append(tile.xyz.max(axis=0) + offset)
+        offset = (*tile.corner, 0)
+        least.append([tile.xyz[:, axis].min() + offset[axis] for axis in range(3)])
+        most.append([tile.xyz[:, axis].max() + offset[axis] for axis in range(3)])
     return np.min(least, axis=0), np.max(most, axis=0), ground, surface
 
 
@@ -173,8 +178,20 @@ def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, high, bin_h
             bits[row, column] |= np.uint32(1) << np.uint32((height - low) / bin_height)
 
 
+def _occupied_bins(bits: np.ndarray) -> np.ndarray:
+    """Count the bins that hold a point, and the single or paired empty ones between two that do.
+
+    A distant wall is hit by scan lines farther apart than a bin is high.
+    """
+    one, two = np.uint32(1), np.uint32(2)
+    between = (bits << one) & (bits >> one)
+    between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
+    bits = bits | between
+    return sum((bits >> np.uint32(k)) & one for k in range(BINS))
+
+
 def _image(layers: _Layers, cloud: Cloud, points_in: int, kept: int, stray: int) -> DensityImage:
-    counts = sum((layers.bits >> np.uint32(k)) & np.uint32(1) for k in range(32))
+    counts = _occupied_bins(layers.bits)
 
     def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
         return np.where(valid, band, np.nan).astype(np.float32)[::-1]

@@ -129,7 +129,7 @@ def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid
         size = step * LATTICE
         raise InputError(
             f"The raster would be {width} x {height} pixels ({width * size:.0f} x "
-            f"{height * size:.0f} m at PIXEL_SIZE {size:g} m), more than {MAX_PIXELS:,}: raise "
-            "PIXEL_SIZE, or cut the cloud to the site."
+            f"{height * size:.0f} m at {size:g} m), more than {MAX_PIXELS:,}: raise PIXEL_SIZE, cut the "
+            "cloud to the site, or check that its coordinates are metres."
         )
     return Grid(column, row, width, height, step)

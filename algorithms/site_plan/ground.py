@@ -3,6 +3,8 @@
 import numpy as np
 from numba import njit
 from scipy import ndimage
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..clouds.tiles import LATTICE, Tile, to_lattice
 from .grid import Grid
@@ -17,10 +19,13 @@ SUPPORT = 0.01
 """Share of a cell's points that a surface must hold; single points below ground are reflections."""
 
 STEEPEST = 0.7
-"""Steepest ground (rise / run): what rises faster above its surroundings is not ground."""
+"""Steepest ground (rise / run) from cell to cell; a higher step parts two surfaces."""
 
 PIT = 1.0
 """A cell this far (m) below nearly all its surroundings is no ground but a reflection."""
+
+PATCH = 4
+"""Ground is a surface that holds a square of this many cells: 2 m; wall tops, tables and cars do not."""
 
 
 def lowest_surface(tile: Tile, ground: Grid, surface: np.ndarray) -> None:
@@ -35,44 +40,49 @@ def lowest_surface(tile: Tile, ground: Grid, surface: np.ndarray) -> None:
     surface : ndarray of float64, shape (height, width)
         Metres; changed in place.
     """
-    x0, y0 = (tile.corner[i] - ground.corner[i] for i in (0, 1))
-    cells = (tile.xyz[:, 1] + y0) // ground.step * ground.width + (tile.xyz[:, 0] + x0) // ground.step
-    names, cell = np.unique(cells, return_inverse=True)
-    z = tile.xyz[:, 2].astype(np.int64)
-    surface.flat[names] = _lowest(cell.ravel(), z, len(names), to_lattice(LAYER), SUPPORT) * LATTICE
+    side = tile.edge // ground.step
+    column, row = ((tile.corner[i] - ground.corner[i]) // ground.step for i in (0, 1))
+    lowest = _lowest(tile.xyz, ground.step, side, to_lattice(LAYER), SUPPORT) * LATTICE
+    surface[row : row + side, column : column + side] = lowest
 
 
 @njit(nogil=True, cache=True)
-def _lowest(cell, z, cells, layer, support):
-    """Mean height of the lowest layer that, with the next, holds its share of the cell's points."""
-    low = z.min()
-    layers = (z.max() - low) // layer + 2
-    counts = np.zeros((cells, layers), np.int32)
-    sums = np.zeros((cells, layers))
-    for i in range(len(z)):
-        level = (z[i] - low) // layer
-        counts[cell[i], level] += 1
-        sums[cell[i], level] += z[i]
-    out = np.empty(cells)
-    for c in range(cells):
-        needed = max(2.0, support * counts[c].sum())
-        level = 0
-        while level < layers - 1 and counts[c, level] + counts[c, level + 1] < needed:
-            level += 1
-        if level == layers - 1:
+def _lowest(xyz, step, side, layer, support):
+    """Mean height of the lowest layer that, with the next, holds its share of a cell's points."""
+    low, high = xyz[:, 2].min(), xyz[:, 2].max()
+    layers = np.int64(high - low) // layer + 2
+    counts = np.zeros((side, side, layers), np.int32)
+    sums = np.zeros((side, side, layers))
+    for i in range(len(xyz)):
+        column, row, level = xyz[i, 0] // step, xyz[i, 1] // step, np.int64(xyz[i, 2] - low) // layer
+        counts[row, column, level] += 1
+        sums[row, column, level] += xyz[i, 2]
+    out = np.full((side, side), np.inf)
+    for row in range(side):
+        for column in range(side):
+            cell = counts[row, column]
+            total = cell.sum()
+            if total == 0:
+                continue
+            needed = max(2.0, support * total)
             level = 0
-        while counts[c, level] == 0:
-            level += 1
-        out[c] = sums[c, level] / counts[c, level]
+            while level < layers - 1 and cell[level] + cell[level + 1] < needed:
+                level += 1
+            if level == layers - 1:
+                level = 0
+            while cell[level] == 0:
+                level += 1
+            out[row, column] = sums[row, column, level] / cell[level]
     return out
 
 
 def ground_surface(surface: np.ndarray) -> np.ndarray:
-    """Return the ground under every cell.
+    """Return the height of the ground under every cell.
 
-    The lower envelope of the lowest surfaces by cones of slope `STEEPEST`: a wall's top, a table
-    or a crown cannot lift the ground above what is seen beside it, and cells without points are
-    filled from their surroundings.
+    Cells whose lowest surfaces pass into one another are one surface, and it is ground if it is
+    wide: terraces and storeys stay apart from each other, and the top of a wall or a table is
+    never ground. Every other cell takes the height of the nearest ground, or its own if that is a little
+    lower.
 
     Parameters
     ----------
@@ -80,36 +90,41 @@ def ground_surface(surface: np.ndarray) -> np.ndarray:
         Height of the lowest surface in metres; inf where there is no point.
     """
     seen = np.isfinite(surface)
-    filled = np.where(seen, surface, np.nanmax(surface[seen]))
+    filled = np.where(seen, surface, surface[seen].max())
     usual = ndimage.percentile_filter(filled, 25, size=7, mode="nearest")
-    heights = np.where(seen & (surface > usual - PIT), surface, np.inf)
-    _envelope(heights, STEEPEST * CELL)
-    return heights
+    sound = seen & (surface > usual - PIT)
+    ground = _wide_parts(_surfaces(np.where(sound, surface, np.inf)))
+    if not ground.any():
+        ground = sound
+    nearest = ndimage.distance_transform_edt(~ground, return_distances=False, return_indices=True)
+    heights = surface[tuple(nearest)]
+    return np.where(sound, np.minimum(surface, heights), heights)
 
 
-@njit(nogil=True, cache=True)
-def _envelope(heights, rise):
-    """Lower each cell to its neighbours' height plus `rise` per step; two sweeps, as a chamfer distance."""
-    rows, columns = heights.shape
-    diagonal = rise * np.sqrt(2.0)
-    for sweep in range(2):
-        back = sweep == 1
-        for r in range(rows):
-            row = rows - 1 - r if back else r
-            behind = row + 1 if back else row - 1
-            for c in range(columns):
-                column = columns - 1 - c if back else c
-                before = column + 1 if back else column - 1
-                value = heights[row, column]
-                if 0 <= before < columns:
-                    value = min(value, heights[row, before] + rise)
-                if 0 <= behind < rows:
-                    value = min(value, heights[behind, column] + rise)
-                    if column > 0:
-                        value = min(value, heights[behind, column - 1] + diagonal)
-                    if column < columns - 1:
-                        value = min(value, heights[behind, column + 1] + diagonal)
-                heights[row, column] = value
+def _surfaces(surface: np.ndarray) -> np.ndarray:
+    """Label the cells that pass into one another, from 1; cells without a height are 0."""
+    number = np.arange(surface.size).reshape(surface.shape)
+    first, second = [], []
+    for one, other in (
+        ((slice(None), slice(1, None)), (slice(None), slice(-1))),
+        ((slice(1, None),), (slice(-1),)),
+    ):
+        with np.errstate(invalid="ignore"):
+            linked = np.abs(surface[one] - surface[other]) <= STEEPEST * CELL
+        first.append(number[one][linked])
+        second.append(number[other][linked])
+    first, second = np.concatenate(first), np.concatenate(second)
+    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(surface.size,) * 2)
+    labels = connected_components(links, directed=False)[1].reshape(surface.shape) + 1
+    return np.where(np.isfinite(surface), labels, 0)
+
+
+def _wide_parts(labels: np.ndarray) -> np.ndarray:
+    """Tell the cells of surfaces that hold a square of `PATCH` cells."""
+    low = ndimage.minimum_filter(labels, PATCH, mode="constant", cval=0)
+    high = ndimage.maximum_filter(labels, PATCH, mode="constant", cval=0)
+    wide = np.unique(labels[(low == high) & (labels > 0)])
+    return np.isin(labels, wide)
 
 
 def at_pixels(heights: np.ndarray, ground: Grid, grid: Grid) -> np.ndarray:

@@ -57,6 +57,9 @@ def select_regions(
 ) -> Selection:
     """Keep the connected regions of a binary image that are large enough and shaped like a wall.
 
+    Beyond the paper, a compact region is kept as a column if it is filled to a column's height and
+    looks like the outline of a solid.
+
     Parameters
     ----------
     binary : ndarray of bool, shape (rows, columns)
@@ -66,7 +69,7 @@ def select_regions(
     criteria : Criteria
         Limits.
     column : ndarray of bool, shape (rows, columns), optional
-        Pixels filled as high as a column is; see `kind_of`.
+        Pixels filled to a column's height; without it no column is kept.
     """
     labels, count = label(binary, connectivity=2, return_num=True)
     area = np.bincount(labels.ravel(), minlength=count + 1) * pixel_size**2
@@ -74,47 +77,29 @@ def select_regions(
     large[0] = False
     passes = np.zeros(count + 1, bool)
     for region in regionprops(np.where(large[labels], labels, 0)):
-        filled = column is not None and column[region.slice][region.image].mean() > 0.5
-        passes[region.label] = kind_of(region, pixel_size, criteria, filled) is not None
+        high = column is not None and column[region.slice][region.image].mean() > 0.5
+        passes[region.label] = bool(wall_shape(region, criteria)) or (high and _is_column(region, pixel_size))
     too_small = count - int(large.sum())
     wrong_shape = int(large.sum()) - int(passes.sum())
     return Selection(passes[labels], count, too_small, wrong_shape)
 
 
-def kind_of(region, pixel_size: float, criteria: Criteria, filled: bool) -> Optional[str]:
-    """Tell by which criterion a region is a wall.
-
-    Beyond the paper, a compact region no wider than `COLUMN_WIDTH` is a column if it is filled to a
-    column's height and hollow, or too narrow to be.
-
-    Parameters
-    ----------
-    region : skimage region
-        One connected region.
-    pixel_size : float
-        Metres.
-    criteria : Criteria
-        Limits.
-    filled : bool
-        Whether the region is occupied to a column's height.
-
-    Returns
-    -------
-    str or None
-        'straight', 'curved', 'column', or None if the region is no wall.
-    """
+def wall_shape(region, criteria: Criteria) -> Optional[str]:
+    """Tell by which of the two shape criteria a skimage region is a wall: 'straight', 'curved' or None."""
     major, minor = region.inertia_tensor_eigvals
-    if major >= criteria.min_elongation**2 * minor:
+    if major >= criteria.min_elongation**2 * minor and major > 0:
         return "straight"
     rows, columns = region.image.shape
-    if region.area <= criteria.max_fill * rows * columns:
-        return "curved"
-    width = max(rows, columns) * pixel_size
-    if width <= COLUMN_WIDTH and filled and _is_hollow(region, width):
-        return "column"
-    return None
+    return "curved" if region.area <= criteria.max_fill * rows * columns else None
 
 
-def _is_hollow(region, width: float) -> bool:
-    """Tell the outline of a solid, all or most of it seen, from a bush that is full of points."""
-    return width <= POST_WIDTH or region.area <= HOLLOW * region.convex_area
+def width_of(region, pixel_size: float) -> float:
+    """Return the longer side of a region's bounding box in metres."""
+    return max(region.image.shape) * pixel_size
+
+
+def _is_column(region, pixel_size: float) -> bool:
+    """Tell the outline of a column, all or most of it seen, from a bush that is full of points."""
+    width = width_of(region, pixel_size)
+    hollow = width <= POST_WIDTH or region.area <= HOLLOW * region.convex_area
+    return width <= COLUMN_WIDTH and hollow

@@ -11,7 +11,7 @@ from skimage.measure import regionprops
 from .extraction import WallImage
 from .gate import Heights
 from .outlines import label_walls, trace_outlines
-from .regions import kind_of
+from .regions import COLUMN_WIDTH, wall_shape, width_of
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def describe_walls(
         found = found[found > 0]
         density = image.gated[region.slice][region.image]
         z_base, z_top = _reach(heights, region)
-        kind = kind_of(region, transform.a, image.criteria, filled=True) or "curved"
+        kind = _kind(region, image, transform.a)
         walls.append(
             Wall(
                 wall_id=region.label,
@@ -86,6 +86,12 @@ def describe_walls(
             )
         )
     return tuple(walls)
+
+
+def _kind(region, image: WallImage, pixel_size: float) -> str:
+    """Name the shape that a wall has after closing."""
+    compact = "column" if width_of(region, pixel_size) <= COLUMN_WIDTH else "curved"
+    return wall_shape(region, image.criteria) or compact
 
 
 def _length(outline: Polygon) -> float:

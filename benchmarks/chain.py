@@ -1,0 +1,55 @@
+"""The chain as the toolbox runs it, from files to files, for the commands of this folder."""
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.extraction import WallParameters
+from ichnograph.algorithms.site_plan.layers import read_density, write_density, write_plan, write_walls
+from ichnograph.algorithms.site_plan.plan import SitePlan, extract_walls
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """Files and results of one run.
+
+    Attributes
+    ----------
+    density, walls : Path
+    plan : SitePlan
+    points : int
+    warnings : tuple of str
+    seconds : float
+    """
+
+    density: Path
+    walls: Path
+    plan: SitePlan
+    points: int
+    warnings: tuple
+    seconds: float
+
+
+def run_chain(
+    clouds: list,
+    folder: Path,
+    name: str,
+    parameters: Optional[WallParameters] = None,
+    spacing: float = 0.05,
+    pixel_size: float = 0.10,
+) -> Outputs:
+    """Turn clouds into density raster, plan raster and walls in `folder`."""
+    started = time.perf_counter()
+    folder.mkdir(parents=True, exist_ok=True)
+    density, walls = folder / f"{name}_density.tif", folder / f"{name}_walls.shp"
+    image = density_image(open_cloud(clouds), spacing, pixel_size)
+    write_density(density, image)
+    raster = read_density(density)
+    plan = extract_walls(raster.density, raster.heights, raster.transform, parameters or WallParameters())
+    write_plan(folder / f"{name}_plan.tif", plan, raster.transform, raster.crs)
+    write_walls(walls, plan, raster.crs)
+    seconds = time.perf_counter() - started
+    return Outputs(density, walls, plan, image.points_in, (*image.warnings, *plan.image.warnings), seconds)

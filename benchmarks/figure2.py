@@ -1,0 +1,64 @@
+"""The paper's figure 2 on a simulated site: point spacing against pixel size.
+
+make figure2, or: python3 -m ichnograph.benchmarks.figure2 [--out build/figure2.png]
+"""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.evaluation.plan import compare_plan
+from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.extraction import WallParameters
+from ichnograph.algorithms.site_plan.gate import Heights
+from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.tests.scenes import SCENES
+from ichnograph.tests.scenes.__main__ import write_laz
+from matplotlib import pyplot as plt
+from shapely.ops import unary_union
+
+from .pictures import show_density
+
+SPACINGS = (0.025, 0.05, 0.10)
+PIXEL_SIZES = (0.01, 0.10)
+PART = (-1.0, 14.0, 13.0, 25.0)
+"""The part of the site that is shown: west, south, east, north (m)."""
+
+
+def main() -> None:
+    """Draw the six images and print what the default chain finds in each."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--out", type=Path, default=Path("build/figure2.png"))
+    out = parser.parse_args().out
+    out.parent.mkdir(parents=True, exist_ok=True)
+    scene = SCENES["ruins"](0)
+    scan = scene.scan(angular_step=0.1)
+    west, south, east, north = scene.truth.bounds
+    x, y = scan.points[:, 0], scan.points[:, 1]
+    near = (x > west - 3) & (x < east + 3) & (y > south - 3) & (y < north + 3)
+    cloud = out.with_name("figure2.laz")
+    write_laz(cloud, scan, near, None)
+    print("| pixel | spacing | points kept | completeness / correctness at 10 cm | walls |")
+    print("|---|---|---|---|---|")
+    figure, panels = plt.subplots(2, 3, figsize=(15, 9), constrained_layout=True)
+    for row, pixel_size in zip(panels, PIXEL_SIZES):
+        for axes, spacing in zip(row, SPACINGS):
+            image = density_image(open_cloud([cloud]), spacing, pixel_size)
+            heights = Heights(image.occupied, image.base, image.top, image.ground)
+            plan = extract_walls(image.density, heights, image.transform, WallParameters())
+            walls = unary_union([wall.outline for wall in plan.walls])
+            found = compare_plan(walls, scene.truth, 0.10, scan.seen_boundary)
+            print(
+                f"| {pixel_size * 100:g} cm | {spacing * 100:g} cm | {image.points_kept} "
+                f"| {found.completeness:.2f} / {found.correctness:.2f} | {len(plan.walls)} |"
+            )
+            show_density(axes, np.nan_to_num(image.density), image.transform)
+            axes.set_xlim(PART[0], PART[2])
+            axes.set_ylim(PART[1], PART[3])
+            axes.set_title(f"spacing {spacing * 100:g} cm, pixel {pixel_size * 100:g} cm")
+    figure.savefig(out, dpi=75)
+
+
+if __name__ == "__main__":
+    main()
