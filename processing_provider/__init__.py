@@ -1,0 +1,1 @@
+"""The algorithms as QGIS Processing shows them. Nothing here computes."""

@@ -1,0 +1,182 @@
+"""The manners that all algorithms share; each of them declares its parameters and calls the core."""
+
+# ruff: noqa: D102, N802 - the methods and their names are QGIS's.
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingOutputNumber,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ..algorithms.errors import IchnographError
+from ..algorithms.files import atomic_output
+from .dependencies import explain_broken, explain_missing, missing_modules
+from .destinations import check_outputs
+from .log import Log
+from .parameters import CloudFiles, RasterFile
+from .styles import show_when_loaded, style_of
+
+ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
+MANUAL = "https://github.com/ichnograph/ichnograph/blob/main/docs"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What an algorithm found.
+
+    Attributes
+    ----------
+    writers : dict of str to callable(Path)
+        For every destination by name, what writes its file.
+    numbers : dict of str to float
+        Values of the numeric outputs.
+    """
+
+    writers: dict
+    numbers: dict
+
+
+class Algorithm(QgsProcessingAlgorithm):
+    """Base of the algorithms.
+
+    A subclass sets the attributes below and says in `compute` how to get from the values of the
+    inputs to an `Outcome`.
+
+    Attributes
+    ----------
+    key, title, chapter : str
+        Id, name and group in the toolbox.
+    summary, about : str
+        A sentence, and a few more; plain text.
+    words : tuple of str
+        What a user may search for.
+    inputs : tuple of Parameter
+    destinations : tuple of Destination
+    numbers : tuple of (str, str)
+        Names and labels of the numeric outputs.
+    """
+
+    key = title = chapter = summary = about = ""
+    words = inputs = destinations = numbers = ()
+
+    @abstractmethod
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Call the core with the values of the inputs, by name."""
+
+    def name(self) -> str:
+        return self.key
+
+    def displayName(self) -> str:
+        return self.title
+
+    def group(self) -> str:
+        return self.chapter
+
+    def groupId(self) -> str:
+        return self.chapter.replace(" ", "").lower()
+
+    def icon(self) -> QIcon:
+        return QIcon(ICON)
+
+    def svgIconPath(self) -> str:
+        return ICON
+
+    def tags(self) -> list:
+        return list(self.words)
+
+    def shortDescription(self) -> str:
+        return self.summary
+
+    def shortHelpString(self) -> str:
+        declared = (*self.inputs, *self.destinations)
+        return "\n".join([self.about, *(f"{item.description}: {item.explanation}" for item in declared)])
+
+    def helpUrl(self) -> str:
+        return f"{MANUAL}/{self.key}.md"
+
+    def createInstance(self) -> "Algorithm":
+        return type(self)()
+
+    def initAlgorithm(self, configuration=None) -> None:
+        for parameter in (*self.inputs, *self.destinations):
+            self.addParameter(parameter.definition())
+        for name, label in self.numbers:
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def canExecute(self) -> tuple:
+        missing = missing_modules()
+        return not missing, explain_missing(missing) if missing else ""
+
+    def checkParameterValues(self, parameters: dict, context: QgsProcessingContext) -> tuple:
+        try:
+            self._values(parameters, context)
+        except IchnographError as error:
+            return False, str(error)
+        return True, ""
+
+    def processAlgorithm(self, parameters, context, feedback) -> dict:
+        with _plain_errors():
+            # Only the desktop asks canExecute.
+            if missing_modules():
+                raise QgsProcessingException(explain_missing(missing_modules()))
+            log = Log(feedback)
+            log.warn(self._unknown(parameters))
+            values = self._values(parameters, context)
+            files = {output: output.value(self, parameters, context) for output in self.destinations}
+            files = {output: path for output, path in files.items() if path}
+            check_outputs(files, self._sources(values))
+            outcome = self.compute(values, log)
+            styles = _write(files, outcome.writers)
+        show_when_loaded(styles, context)
+        return {**outcome.numbers, **{output.name: str(path) for output, path in files.items()}}
+
+    def _values(self, parameters: dict, context: QgsProcessingContext) -> dict:
+        return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}
+
+    def _unknown(self, parameters: dict) -> list:
+        known = {parameter.name for parameter in (*self.inputs, *self.destinations)}
+        unknown = [name for name in parameters if name not in known]
+        return [f"{name} is no parameter of {self.key}, so it has no effect." for name in unknown]
+
+    def _sources(self, values: dict) -> list:
+        clouds = [values[item.name] for item in self.inputs if isinstance(item, CloudFiles)]
+        rasters = [values[item.name] for item in self.inputs if isinstance(item, RasterFile)]
+        return [path for paths in clouds for path in paths] + rasters
+
+
+def _write(files: dict, writers: dict) -> dict:
+    """Write all files with their styles, or none; return the styles by path."""
+    styles = {}
+    with ExitStack() as stack:
+        for output, path in files.items():
+            temporary = stack.enter_context(atomic_output(path))
+            try:
+                writers[output.name](temporary)
+            except IchnographError as error:
+                # The user knows the file by its final name.
+                raise type(error)(str(error).replace(str(temporary), str(path))) from error
+            if output.style:
+                styles[path] = style_of(output.style, temporary)
+                # A style that is older than the layer belongs to another one.
+                if path.exists() or not path.with_suffix(".qml").exists():
+                    temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
+    return styles
+
+
+@contextmanager
+def _plain_errors() -> Iterator[None]:
+    """Turn the exceptions of the core into the one of QGIS, which is shown as a sentence."""
+    try:
+        yield
+    except IchnographError as error:
+        raise QgsProcessingException(str(error)) from error
+    except ImportError as error:
+        raise QgsProcessingException(explain_broken(error)) from error

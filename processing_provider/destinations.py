@@ -1,0 +1,139 @@
+"""Kinds of output files: what QGIS asks for, which extensions can be written, and what is refused."""
+
+import tempfile
+from abc import abstractmethod
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterVectorDestination,
+)
+
+from ..algorithms.errors import InputError
+from .parameters import Parameter
+
+
+@dataclass(frozen=True)
+class Destination(Parameter):
+    """An output file.
+
+    Attributes
+    ----------
+    style : str or None
+        Name of the style, in the folder styles, with which QGIS shows it.
+    optional : bool
+        Whether the user may do without it.
+    """
+
+    style: Optional[str] = None
+    optional: bool = False
+
+    @property
+    @abstractmethod
+    def extensions(self) -> tuple:
+        """Endings that can be written."""
+
+    def value(self, algorithm, parameters, context) -> Optional[Path]:
+        """Return the path; None if the user does without the file.
+
+        To be asked once for a run: QGIS invents temporary names and lists layers to load when asked.
+        """
+        text = self._path(algorithm, parameters, context)
+        if text:
+            return Path(text)
+        if not self.optional:
+            raise InputError(f"{self.name} is empty; choose a file to write.")
+        return None
+
+    def _path(self, algorithm, parameters, context) -> str:
+        return algorithm.parameterAsOutputLayer(parameters, self.name, context)
+
+
+@dataclass(frozen=True)
+class RasterDestination(Destination):
+    """A GeoTIFF."""
+
+    extensions = (".tif", ".tiff")
+
+    def _definition(self) -> QgsProcessingParameterRasterDestination:
+        return QgsProcessingParameterRasterDestination(
+            self.name, self.description, optional=self.optional, createByDefault=True
+        )
+
+
+@dataclass(frozen=True)
+class PolygonDestination(Destination):
+    """A GeoPackage or shapefile of polygons."""
+
+    extensions = (".gpkg", ".shp")
+
+    def _definition(self) -> QgsProcessingParameterVectorDestination:
+        return QgsProcessingParameterVectorDestination(
+            self.name,
+            self.description,
+            QgsProcessing.SourceType.TypeVectorPolygon,
+            optional=self.optional,
+            createByDefault=True,
+        )
+
+
+@dataclass(frozen=True)
+class CloudDestination(Destination):
+    """A point cloud."""
+
+    extensions = (".laz", ".las", ".xyz", ".csv", ".txt")
+
+    def _definition(self) -> QgsProcessingParameterFileDestination:
+        return QgsProcessingParameterFileDestination(
+            self.name,
+            self.description,
+            "LAZ files (*.laz);;LAS files (*.las);;Text (*.xyz *.txt);;CSV (*.csv)",
+            optional=self.optional,
+        )
+
+    def _path(self, algorithm, parameters, context) -> str:
+        return algorithm.parameterAsFileOutput(parameters, self.name, context)
+
+
+def check_outputs(outputs: dict, sources: Iterable) -> None:
+    """Refuse, before any work is done, files that cannot be written.
+
+    Parameters
+    ----------
+    outputs : dict of Destination to Path
+        Where to write.
+    sources : iterable of str
+        Files that are read.
+
+    Raises
+    ------
+    InputError
+        If an extension is unknown, a folder is missing or not writable, or a file is written twice
+        or read as well.
+    """
+    taken = {Path(source).resolve(): "an input" for source in sources}
+    for output, path in outputs.items():
+        if path.suffix.lower() not in output.extensions:
+            endings = " or ".join(output.extensions)
+            raise InputError(f"{output.name} {path} cannot be written; end the name in {endings}.")
+        if not path.parent.is_dir():
+            raise InputError(f"{output.name} {path}: there is no folder {path.parent}; create it first.")
+        if path.is_dir() or not _is_writable(path.parent):
+            raise InputError(f"{output.name} {path} cannot be written; choose another name or folder.")
+        other = taken.setdefault(path.resolve(), output.name)
+        if other != output.name:
+            raise InputError(f"{output.name} {path} is {other} as well; choose another name.")
+
+
+def _is_writable(folder: Path) -> bool:
+    """Try, for permissions do not tell on every system."""
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False

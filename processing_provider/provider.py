@@ -1,0 +1,52 @@
+"""The provider: what QGIS lists under Ichnograph in the toolbox."""
+
+# ruff: noqa: D102, N802 - the methods and their names are QGIS's.
+
+from pathlib import Path
+
+from qgis.core import QgsProcessingProvider
+from qgis.PyQt.QtGui import QIcon
+
+from .density_image import DensityImageAlgorithm
+from .extract_walls import ExtractWallsAlgorithm
+from .site_plan import SitePlanAlgorithm
+from .thin_cloud import ThinCloudAlgorithm
+
+ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
+
+
+class Provider(QgsProcessingProvider):
+    """Lists the algorithms, and says which files they can write."""
+
+    def id(self) -> str:
+        return "ichnograph"
+
+    def name(self) -> str:
+        return "Ichnograph"
+
+    def longName(self) -> str:
+        return "Ichnograph: laser scans to site plans"
+
+    def icon(self) -> QIcon:
+        return QIcon(ICON)
+
+    def svgIconPath(self) -> str:
+        return ICON
+
+    def supportsNonFileBasedOutput(self) -> bool:
+        return False
+
+    def supportedOutputRasterLayerExtensions(self) -> list:
+        return ["tif", "tiff"]
+
+    def supportedOutputVectorLayerExtensions(self) -> list:
+        return ["gpkg", "shp"]
+
+    def loadAlgorithms(self) -> None:
+        for algorithm in (
+            SitePlanAlgorithm,
+            DensityImageAlgorithm,
+            ExtractWallsAlgorithm,
+            ThinCloudAlgorithm,
+        ):
+            self.addAlgorithm(algorithm())

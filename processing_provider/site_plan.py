@@ -1,0 +1,60 @@
+"""The algorithm `siteplan`."""
+
+from functools import partial
+
+from .algorithm import Algorithm, Outcome
+from .cloud_parameters import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
+from .density_parameters import POINT_NUMBERS, compute_density, density_destination, point_numbers
+from .log import Log
+from .wall_parameters import (
+    WALL_NUMBERS,
+    WALL_PARAMETERS,
+    WALLS,
+    find_walls,
+    plan_destination,
+    wall_numbers,
+    wall_writers,
+)
+
+
+class SitePlanAlgorithm(Algorithm):
+    """Extract the walls of a site from clouds, in one step."""
+
+    key = "siteplan"
+    title = "Site plan from laser scans"
+    chapter = "Site plan"
+    summary = "Turns terrestrial laser scans into a site plan: the walls as polygons."
+    about = (
+        "The clouds are thinned, a density image is computed, and the walls are extracted from it, with "
+        "defaults that are derived from the data and told in the log. INPUT is all it needs "
+        "(Mueller, Kohoutek and Theiler 2012)."
+    )
+    words = (
+        "site plan",
+        "floor plan",
+        "ground plan",
+        "walls",
+        "laser scan",
+        "point cloud",
+        "tls",
+        "lidar",
+        "las",
+        "laz",
+        "archaeology",
+        "building",
+    )
+    inputs = (CLOUDS, SPACING, PIXEL_SIZE, *WALL_PARAMETERS, CRS, neighbourhood(advanced=True))
+    destinations = (density_destination(optional=True), plan_destination(optional=True), WALLS)
+    numbers = POINT_NUMBERS + WALL_NUMBERS
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Compute the density image and extract the walls."""
+        from ..algorithms.site_plan.gate import Heights
+        from ..algorithms.site_plan.layers import write_density
+
+        image = compute_density(values, log, log.progress.part(0.0, 0.8))
+        heights = Heights(image.occupied, image.base, image.top, image.ground)
+        plan = find_walls(image.density, heights, image.transform, values, log, log.progress.part(0.8, 1.0))
+        writers = wall_writers(plan, image.transform, image.crs)
+        writers["DENSITY"] = partial(write_density, image=image)
+        return Outcome(writers, {**point_numbers(image), **wall_numbers(plan)})

@@ -1,0 +1,58 @@
+"""Packages that are missing: everything is listed, and running says what to install."""
+
+import sys
+
+import pytest
+from ichnograph.processing_provider import dependencies
+
+VERSION = "{}.{}".format(*sys.version_info)
+
+
+@pytest.fixture
+def without(monkeypatch):
+    def without(*modules, managed):
+        for module in modules:
+            monkeypatch.setitem(sys.modules, module, None)
+        monkeypatch.setattr(dependencies, "_is_managed_by_distribution", lambda: managed)
+        return dependencies.explain_missing(dependencies.missing_modules())
+
+    return without
+
+
+def test_the_sentence_names_package_interpreter_and_command(without):
+    sentence = without("laspy", "skimage", managed=False)
+
+    assert sentence.startswith(f"The Python {VERSION} of QGIS lacks scikit-image, laspy; run `")
+    assert "python3 -m pip install --user scikit-image laspy`" in sentence
+
+
+def test_on_debian_the_distribution_comes_first(without):
+    sentence = without("skimage", "lazrs", managed=True)
+
+    assert "`sudo apt install python3-skimage && " in sentence
+    assert "pip install --user --break-system-packages --no-deps lazrs`" in sentence
+
+
+def test_a_desktop_is_told_before_it_runs(provider, without):
+    algorithm = provider.algorithm("siteplan").create()
+
+    assert algorithm.canExecute() == (True, "")
+    sentence = without("numba", managed=True)
+    assert algorithm.canExecute() == (False, sentence)
+
+
+def test_a_script_is_told_when_it_runs(run, room, without, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    sentence = without("lazrs", managed=True)
+    with pytest.raises(QgsProcessingException) as caught:
+        run("thincloud", INPUT=room, OUTPUT=str(tmp_path / "thin.las"))
+    assert str(caught.value) == sentence
+
+
+def test_a_package_that_is_there_but_broken_is_told(run, monkeypatch, room, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    monkeypatch.setitem(sys.modules, "ichnograph.algorithms.clouds.thinning", None)
+    with pytest.raises(QgsProcessingException, match=f"Python {VERSION} of QGIS cannot be loaded"):
+        run("thincloud", INPUT=room, OUTPUT=str(tmp_path / "thin.las"))

@@ -1,0 +1,99 @@
+"""What QGIS lists: the public contract, with help and units."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+NUMBERS = {
+    "SPACING": 0.05,
+    "PIXEL_SIZE": 0.10,
+    "NEIGHBOURHOOD": 1,
+    "THRESHOLD": None,
+    "MIN_AREA": None,
+    "MAX_FILL": 0.4,
+    "MIN_ELONGATION": 3,
+    "CLOSING": None,
+    "MIN_HEIGHT": 0.4,
+    "THRESHOLD_STEPS": 10,
+    "THRESHOLD_MAX": None,
+}
+WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
+WALL_NUMBERS = {"WALL_COUNT", "WALL_AREA", "WALL_LENGTH"}
+
+CONTRACT = {
+    "thincloud": ({"INPUT", "SPACING", "OUTPUT"}, {"OUTPUT", "POINTS_IN", "POINTS_OUT"}),
+    "densityimage": (
+        {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY"},
+        {"DENSITY", "POINTS_IN", "POINTS_KEPT"},
+    ),
+    "extractwalls": ({"INPUT", "PLAN", "WALLS"} | WALL_PARAMETERS, {"PLAN", "WALLS"} | WALL_NUMBERS),
+    "siteplan": (
+        {"INPUT", "CRS", "DENSITY", "PLAN", "WALLS"} | {*NUMBERS},
+        {"DENSITY", "PLAN", "WALLS", "POINTS_IN", "POINTS_KEPT"} | WALL_NUMBERS,
+    ),
+}
+
+
+@pytest.fixture(params=sorted(CONTRACT))
+def algorithm(provider, request):
+    return provider.algorithm(request.param)
+
+
+def test_lists_the_algorithms_that_work(provider):
+    assert {algorithm.name() for algorithm in provider.algorithms()} == {*CONTRACT}
+
+
+def test_every_name_is_the_one_that_models_store(algorithm):
+    parameters, outputs = CONTRACT[algorithm.name()]
+
+    assert {item.name() for item in algorithm.parameterDefinitions()} == parameters
+    assert {item.name() for item in algorithm.outputDefinitions()} == outputs
+
+
+def test_defaults_are_those_of_the_contract(algorithm):
+    numbers = [item for item in algorithm.parameterDefinitions() if item.type() == "number"]
+
+    assert {item.name(): item.defaultValue() for item in numbers} == {
+        item.name(): NUMBERS[item.name()] for item in numbers
+    }
+
+
+def test_every_parameter_has_help_and_every_number_a_unit(algorithm):
+    for item in algorithm.parameterDefinitions():
+        assert len(item.help()) > 20, item.name()
+        if item.type() == "number":
+            assert re.search(r"\(.+\)$", item.description()), item.name()
+
+
+def test_help_is_plain_text_that_tells_all_parameters(algorithm):
+    text = algorithm.shortHelpString()
+
+    assert not set("<>&") & set(text)
+    for item in algorithm.parameterDefinitions():
+        assert f"{item.description()}: {item.help()}" in text
+
+
+def test_every_algorithm_can_be_found_and_looked_up(algorithm):
+    assert algorithm.displayName()[0].isupper()
+    assert algorithm.shortDescription().endswith(".")
+    assert algorithm.group() in ("Site plan", "Clouds")
+    assert len(algorithm.tags()) > 3
+    assert algorithm.helpUrl().endswith(f"/docs/{algorithm.name()}.md")
+    assert Path(algorithm.svgIconPath()).is_file()
+
+
+def test_algorithms_run_in_the_background_and_can_be_cancelled(algorithm):
+    from qgis.core import QgsProcessingAlgorithm
+
+    assert not algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading
+    assert algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagCanCancel
+
+
+def test_the_provider_leaves_with_the_plugin_and_comes_back(plugin, qgis_application):
+    registry = qgis_application.processingRegistry()
+
+    plugin.unload()
+    assert registry.providerById("ichnograph") is None
+    plugin.initGui()
+    assert registry.providerById("ichnograph") is not None
