@@ -10,12 +10,12 @@ from pathlib import Path
 
 from ichnograph.algorithms.evaluation.plan import compare_plan
 from ichnograph.algorithms.site_plan.extraction import WallParameters
+from ichnograph.scripts.picture import draw
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.ops import unary_union
 
 from .chain import run_chain
-from .pictures import draw_plan
 
 TOLERANCES = (0.05, 0.10, 0.20)
 PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
@@ -36,7 +36,7 @@ def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str
         outputs = run_chain([cloud], folder, f"{name}_{chain.replace('=', '')}", parameters)
         walls = unary_union([wall.outline for wall in outputs.plan.walls])
         found = [compare_plan(walls, scene.truth, t, scan.seen_boundary) for t in TOLERANCES]
-        draw_plan(outputs, folder / f"{name}_{chain.replace('=', '')}.png", scene.truth)
+        draw(outputs.density, outputs.walls, outputs.walls.with_suffix(".png"), scene.truth)
         shares = " | ".join(f"{a.completeness:.2f} / {a.correctness:.2f}" for a in found)
         offset = f"{found[-1].median_offset * 100:.1f} / {found[-1].p95_offset * 100:.1f}"
         rows.append(

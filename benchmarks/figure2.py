@@ -15,10 +15,9 @@ from ichnograph.algorithms.site_plan.gate import Heights
 from ichnograph.algorithms.site_plan.plan import extract_walls
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
-from matplotlib import pyplot as plt
+from matplotlib.figure import Figure
 from shapely.ops import unary_union
 
-from .pictures import show_density
 
 SPACINGS = (0.025, 0.05, 0.10)
 PIXEL_SIZES = (0.01, 0.10)
@@ -41,8 +40,8 @@ def main() -> None:
     write_laz(cloud, scan, near, None)
     print("| pixel | spacing | points kept | completeness / correctness at 10 cm | walls |")
     print("|---|---|---|---|---|")
-    figure, panels = plt.subplots(2, 3, figsize=(15, 9), constrained_layout=True)
-    for row, pixel_size in zip(panels, PIXEL_SIZES):
+    figure = Figure(figsize=(15, 9), layout="constrained")
+    for row, pixel_size in zip(figure.subplots(2, 3), PIXEL_SIZES):
         for axes, spacing in zip(row, SPACINGS):
             image = density_image(open_cloud([cloud]), spacing, pixel_size)
             heights = Heights(image.occupied, image.base, image.top, image.ground)
@@ -53,9 +52,17 @@ def main() -> None:
                 f"| {pixel_size * 100:g} cm | {spacing * 100:g} cm | {image.points_kept} "
                 f"| {found.completeness:.2f} / {found.correctness:.2f} | {len(plan.walls)} |"
             )
-            show_density(axes, np.nan_to_num(image.density), image.transform)
-            axes.set_xlim(PART[0], PART[2])
-            axes.set_ylim(PART[1], PART[3])
+            rows, columns = image.density.shape
+            east = image.transform.c + columns * pixel_size
+            south = image.transform.f - rows * pixel_size
+            axes.imshow(
+                np.nan_to_num(image.density),
+                extent=(image.transform.c, east, south, image.transform.f),
+                cmap="gray_r",
+                vmin=0,
+                vmax=np.nanmean(image.density) + 2 * np.nanstd(image.density),
+            )
+            axes.set(xlim=PART[::2], ylim=PART[1::2], xticks=[], yticks=[])
             axes.set_title(f"spacing {spacing * 100:g} cm, pixel {pixel_size * 100:g} cm")
     figure.savefig(out, dpi=75)
 

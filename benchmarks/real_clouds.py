@@ -13,9 +13,9 @@ import laspy
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import IchnographError
+from ichnograph.scripts.picture import draw
 
 from .chain import run_chain
-from .pictures import draw_plan
 
 SCANS = (".las", ".laz", ".xyz")
 """Extensions of scans; in others there are lists of points."""
@@ -54,7 +54,7 @@ def main() -> None:
         except IchnographError as error:
             print(f"| {path.stem} | | | | | {error} |", flush=True)
             continue
-        draw_plan(outputs, arguments.out / f"{path.stem}.png")
+        draw(outputs.density, outputs.walls, arguments.out / f"{path.stem}.png")
         print(
             f"| {path.stem} | {outputs.points} | {len(outputs.plan.walls)} | {outputs.plan.length:.1f} "
             f"| {outputs.seconds:.1f} | {' '.join(outputs.warnings)} |",

@@ -17,7 +17,11 @@ GAP = 20.0
 """Parts of a site farther apart than this, in metres, are told apart."""
 
 STRAY_SHARE = 1e-3
-"""A part with less than this share of the points is stray: reflections, birds, a neighbour's roof."""
+"""A part with less than this share of the points is stray."""
+
+SPARSE_SHARE, SPARSE_COVER = 0.02, 0.1
+"""So is a part with less than these shares of the points and of the main part's points per tile:
+reflections are thin."""
 
 
 @dataclass(frozen=True)
@@ -69,8 +73,8 @@ class Grid:
 def site_tiles(store: TileStore) -> tuple:
     """Tell the tiles of the site from those that hold stray points far away.
 
-    Tiles within `GAP` of each other are one part of the site; a part with less than
-    `STRAY_SHARE` of all points is stray.
+    Tiles within `GAP` of each other are one part of the site; see `STRAY_SHARE` and `SPARSE_SHARE`
+    for the parts that are stray.
 
     Returns
     -------
@@ -85,7 +89,10 @@ def site_tiles(store: TileStore) -> tuple:
     blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)
     part = _connected(blocks)[member.ravel()]
     points = np.bincount(part, weights=list(counts.values()))
-    kept = points[part] >= STRAY_SHARE * points.sum()
+    share = points / points.sum()
+    cover = points / np.bincount(part)
+    sparse = (share < SPARSE_SHARE) & (cover < SPARSE_COVER * cover[np.argmax(points)])
+    kept = ~(sparse | (share < STRAY_SHARE))[part]
     stray = sum(n for n, keep in zip(counts.values(), kept) if not keep)
     return [tuple(key) for key in keys[kept].tolist()], stray + store.stray_count
 

@@ -10,6 +10,8 @@ from typing import Optional
 import numpy as np
 from skimage.filters import threshold_otsu
 
+from ..errors import InputError
+
 
 @dataclass(frozen=True)
 class Thresholds:
@@ -50,7 +52,16 @@ def choose_thresholds(
         the highest as the median density of the tall pixels above the lowest.
     steps : int
         Number of thresholds.
+
+    Raises
+    ------
+    InputError
+        If `highest` is given and below a given `lowest`.
     """
+    if None not in (lowest, highest) and highest < lowest:
+        raise InputError(
+            f"THRESHOLD_MAX {highest:g} is below THRESHOLD {lowest:g}; raise it, or leave it empty."
+        )
     held = np.isfinite(density)
     deviation = float(np.std(density[held])) or float(density[held].max())
     if lowest is None:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.site_plan.thresholds import choose_thresholds
 
 RANDOM = np.random.default_rng(0)
@@ -21,6 +22,12 @@ def test_given_thresholds_are_used_as_they_are():
     thresholds = choose_thresholds(density, ~wall, wall, 0.5, 2.0, 4)
     assert thresholds.values == pytest.approx((0.5, 1.0, 1.5, 2.0))
     assert thresholds.deviation == pytest.approx(density.std())
+
+
+def test_a_highest_below_the_lowest_is_refused():
+    density, wall = image()
+    with pytest.raises(InputError, match="THRESHOLD_MAX 1 is below THRESHOLD 2"):
+        choose_thresholds(density, ~wall, wall, 2.0, 1.0, 4)
 
 
 def test_behind_the_gate_the_lowest_is_the_usual_density_of_a_floor():

@@ -1,0 +1,72 @@
+# The Python of QGIS, which is the distribution's.
+PYTHON ?= /usr/bin/python3
+TOOLS = ruff==0.17.* bandit==1.* detect-secrets==1.5.*
+RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
+VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
+DEMO = build/demo
+
+.PHONY: help setup demo test lint accuracy benchmark figure2 real package test-matrix
+.DELETE_ON_ERROR:
+
+help:  ## Show this list
+	@sed -n 's/^\([a-z-]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
+
+setup: .packages/installed .plugins/ichnograph  ## Install what is missing (Debian, Ubuntu), here and from apt
+
+.PHONY: distribution
+distribution:
+	@scripts/install-packages
+
+.packages/installed: requirements.txt | distribution
+	@# All else comes from the distribution, with the one GDAL and numpy that QGIS has.
+	$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps $$(grep -E '^(laspy|lazrs)' requirements.txt)
+	@touch $@
+
+.plugins/ichnograph:
+	@mkdir -p .plugins
+	@ln -sfn .. $@
+
+.tools/installed: Makefile | distribution
+	$(PYTHON) -m venv .tools
+	.tools/bin/pip install --quiet $(TOOLS)
+	@touch $@
+
+demo: setup  ## Simulate a scan of ruins and make its site plan
+	@mkdir -p $(DEMO)
+	$(RUN) -m ichnograph.tests.scenes ruins $(DEMO)/ruins.laz --angular-step 0.2 --crs EPSG:25833 \
+		--move 12 412345.6 5812345.7 71.3
+	scripts/qgis_process run ichnograph:siteplan -- INPUT=$(DEMO)/ruins.laz \
+		DENSITY=$(DEMO)/density.tif PLAN=$(DEMO)/plan.tif WALLS=$(DEMO)/walls.shp
+	$(RUN) scripts/picture.py $(DEMO)/density.tif $(DEMO)/walls.shp $(DEMO)/siteplan.png
+	@echo
+	@echo "The layers are in $(DEMO): density.tif, plan.tif, walls.shp; a picture of them is siteplan.png."
+
+test: setup lint  ## Check the style and run all tests
+	$(RUN) -m pytest
+
+lint: .tools/installed  ## Check style and security as the plugin repository does
+	.tools/bin/ruff check
+	.tools/bin/ruff format --check
+	.tools/bin/bandit -q -r algorithms processing_provider plugin.py __init__.py
+	@# Files that are staged to be deleted are listed, but gone.
+	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook
+
+accuracy: setup  ## Print how well the walls of the simulated scenes are found
+	$(RUN) -m ichnograph.benchmarks.accuracy
+
+benchmark: setup  ## Print how long ten million points take, and how much memory
+	$(RUN) -m ichnograph.benchmarks.speed
+
+figure2: setup  ## Remake the figure 2 of the paper: point spacing against pixel size
+	$(RUN) -m ichnograph.benchmarks.figure2
+
+real: setup  ## Make the plans of the real scans in ../shared/data
+	$(RUN) -m ichnograph.benchmarks.real_clouds
+
+package:  ## Zip the last commit as QGIS installs it
+	@mkdir -p build
+	git archive --prefix=ichnograph/ --output build/ichnograph-$(VERSION).zip HEAD
+	@echo build/ichnograph-$(VERSION).zip
+
+test-matrix:  ## Run the tests of the last commit in fresh Debian releases (as root, with debootstrap)
+	scripts/test-matrix

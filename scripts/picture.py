@@ -1,0 +1,75 @@
+"""Show a density image, and the walls that were found in it, side by side; north is up.
+
+python3 scripts/picture.py density.tif walls.shp out.png
+"""
+
+import argparse
+from pathlib import Path
+from typing import Optional
+
+import fiona
+import numpy as np
+import rasterio
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path as Outline
+from shapely.geometry import mapping
+from shapely.geometry.base import BaseGeometry
+
+MARGIN = 2.0
+"""Metres shown around the walls."""
+
+
+def draw(density: Path, walls: Path, out: Path, truth: Optional[BaseGeometry] = None) -> None:
+    """Write the picture of the two layers, with the outlines of the true walls where they are known."""
+    with rasterio.open(density) as raster:
+        values, bounds = raster.read(1, masked=True), raster.bounds
+    with fiona.open(walls) as layer:
+        outlines = [_outline(feature["geometry"]) for feature in layer]
+        west, south, east, north = layer.bounds
+    extent = (bounds.left, bounds.right, bounds.bottom, bounds.top)
+    darkest = values.mean() + 2 * values.std()
+    figure = Figure(figsize=(14, 7.3), layout="constrained")
+    axes = figure.subplots(1, 2, sharex=True, sharey=True)
+    for axis, title in zip(axes, ("Density image", "Walls")):
+        shade = values if axis is axes[0] else values * 0.4
+        axis.imshow(shade, extent=extent, cmap="gray_r", vmin=0, vmax=darkest, interpolation="nearest")
+        axis.set(title=title, xticks=[], yticks=[], aspect="equal")
+    for outline in outlines:
+        axes[1].add_patch(PathPatch(outline, facecolor="#c8553d99", edgecolor="#8c2814", linewidth=0.8))
+    if truth is not None:
+        for part in truth.geoms:
+            axes[1].add_patch(PathPatch(_outline(mapping(part)), fill=False, edgecolor="#1b7837"))
+        axes[1].set_title("Walls, and the true walls in green")
+        west, south, east, north = truth.bounds
+    axes[0].set_xlim(west - MARGIN, east + MARGIN)
+    axes[0].set_ylim(south - MARGIN, north + MARGIN)
+    _draw_scale_bar(axes[1], east - west)
+    figure.savefig(out, dpi=80)
+
+
+def _outline(geometry) -> Outline:
+    polygons = geometry["coordinates"]
+    if geometry["type"] == "Polygon":
+        polygons = [polygons]
+    return Outline.make_compound_path(
+        *(Outline(np.asarray(ring)[:, :2], closed=True) for rings in polygons for ring in rings)
+    )
+
+
+def _draw_scale_bar(axis, width: float) -> None:
+    """Draw a bar of 1, 2 or 5 times a power of ten metres below the plan."""
+    steps = [factor * 10.0**power for power in range(-1, 4) for factor in (1, 2, 5)]
+    length = max(step for step in steps if step <= max(width / 4, steps[0]))
+    (left, _), (bottom, top) = axis.get_xlim(), axis.get_ylim()
+    x, y = left + 0.5, bottom + 0.02 * (top - bottom)
+    axis.plot([x, x + length], [y, y], color="black", linewidth=3, solid_capstyle="butt")
+    axis.annotate(f"{length:g} m", (x + length / 2, y), (0, 4), textcoords="offset points", ha="center")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for name in ("density", "walls", "out"):
+        parser.add_argument(name, type=Path)
+    arguments = parser.parse_args()
+    draw(arguments.density, arguments.walls, arguments.out)
