@@ -18,7 +18,6 @@ from ichnograph.tests.scenes.__main__ import write_laz
 from matplotlib.figure import Figure
 from shapely.ops import unary_union
 
-
 SPACINGS = (0.025, 0.05, 0.10)
 PIXEL_SIZES = (0.01, 0.10)
 PART = (-1.0, 14.0, 13.0, 25.0)
