@@ -17,7 +17,7 @@ from ..clouds.tiles import LATTICE, Tile, TileStore, fill, names_of, stray_warni
 from ..errors import InputError
 from ..progress import Progress
 from .grid import Grid, make_grid, site_tiles
-from .ground import CELL, at_pixels, ground_surface, lowest_surface
+from .ground import CELL, LowestSurface, at_pixels, ground_surface
 
 WINDOW = (0.3, 2.3)
 """Heights above the local ground, in metres, between which a column counts as occupied."""
@@ -92,11 +92,11 @@ def density_image(
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
         keys, stray = site_tiles(store)
-        low, high, ground, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
+        low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud)}: all points have the same position; is it a scan?")
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
-        layers = _Layers(grid, at_pixels(ground_surface(surface), ground, grid))
+        layers = _Layers(grid, at_pixels(ground_surface(surface), surface.grid, grid))
         kept = 0
         for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.6, 1.0)):
             layers.add(tile, rows, neighbourhood)
@@ -105,7 +105,7 @@ def density_image(
 
 
 def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tuple:
-    """Return the smallest and largest x, y, z of the site, the ground's grid and lowest surface.
+    """Return the smallest and largest x, y, z of the site, and its lowest surface.
 
     A site too large for pixels of `pixel` lattice steps is refused at once.
     """
@@ -113,15 +113,14 @@ def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tup
     low = np.array([columns.min(), rows.min()]) * store.edge
     high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
     make_grid(low, high, pixel, 0)
-    ground = make_grid(low, high, to_lattice(CELL), 0)
-    surface = np.full(ground.shape, np.inf)
+    surface = LowestSurface(make_grid(low, high, to_lattice(CELL), 0))
     least, most = [], []
     for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
-        lowest_surface(tile, ground, surface)
-        offset = (*tile.corner, 0)
-        least.append([tile.xyz[:, axis].min() + offset[axis] for axis in range(3)])
-        most.append([tile.xyz[:, axis].max() + offset[axis] for axis in range(3)])
-    return np.min(least, axis=0), np.max(most, axis=0), ground, surface
+        surface.add(tile)
+        offset = np.array([*tile.corner, 0])
+        least.append(offset + [tile.xyz[:, axis].min() for axis in range(3)])
+        most.append(offset + [tile.xyz[:, axis].max() for axis in range(3)])
+    return np.min(least, axis=0), np.max(most, axis=0), surface
 
 
 class _Layers:

@@ -43,9 +43,9 @@ class Gate:
     flat : ndarray of bool
         Pixels that show horizontal surfaces only.
     column : ndarray of bool or None
-        Pixels filled to a column's height; None where the gate is open.
+        Pixels filled to a column's height; None if that is not known.
     open_ground : ndarray of bool or None
-        Pixels in which the ground was seen; None where the gate is open.
+        Pixels in which the ground was seen; None if that is not known.
     warnings : tuple of str
     """
 
@@ -81,7 +81,8 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
             "MIN_HEIGHT is not applied."
         )
         nothing = np.zeros(held.shape, bool)
-        return Gate(held, nothing, None, None, (sliced,) if min_height > 0 else ())
+        # What a slice shows is standing: a column as well as a wall.
+        return Gate(held, nothing, held, None, (sliced,) if min_height > 0 else ())
     # Rounded, as 0.4 is 0.4000000059604645 in a raster of float32.
     occupied = np.round(np.nan_to_num(heights.occupied).astype(float), 3)
     flat = held & (occupied <= FLAT)

@@ -18,37 +18,56 @@ LAYER = 0.1
 SUPPORT = 0.01
 """Share of a cell's points that a surface must hold; single points below ground are reflections."""
 
+ENOUGH = 5
+"""Number of points that is support in any case; under a crown the ground is seen by a few."""
+
 STEEPEST = 0.7
 """Steepest ground (rise / run) from cell to cell; a higher step parts two surfaces."""
+
+CLEARANCE = 5
+"""Number of layers above the lowest two that tell whether it is clear above."""
 
 PIT = 1.0
 """A cell this far (m) below nearly all its surroundings is no ground but a reflection."""
 
 PATCH = 4
-"""Ground is a surface that holds a square of this many cells: 2 m; wall tops, tables and cars do not."""
+"""Ground is a surface that holds a smooth square of this many cells, 2 m; a table does not."""
+
+SMOOTH = 0.15
+"""Largest change of the rise from cell to cell to cell on smooth ground, metres; crowns are rougher."""
 
 
-def lowest_surface(tile: Tile, ground: Grid, surface: np.ndarray) -> None:
-    """Write the height of the lowest supported layer of each ground cell of a tile.
+class LowestSurface:
+    """The lowest supported layer of points in each ground cell.
 
-    Parameters
+    Attributes
     ----------
-    tile : Tile
-        Points.
-    ground : Grid
-        Grid of `CELL`; rows of `surface` count from the bottom.
-    surface : ndarray of float64, shape (height, width)
-        Metres; changed in place.
+    grid : Grid
+        Cells of `CELL`; rows of the arrays count from the bottom.
+    height : ndarray of float64, shape (rows, columns)
+        Metres; nan where there is no point.
+    clear : ndarray of bool, shape (rows, columns)
+        Whether there are fewer points right above the layer than in it, as above a ground.
     """
-    side = tile.edge // ground.step
-    column, row = ((tile.corner[i] - ground.corner[i]) // ground.step for i in (0, 1))
-    lowest = _lowest(tile.xyz, ground.step, side, to_lattice(LAYER), SUPPORT) * LATTICE
-    surface[row : row + side, column : column + side] = lowest
+
+    def __init__(self, grid: Grid) -> None:
+        self.grid = grid
+        self.height = np.full(grid.shape, np.nan)
+        self.clear = np.zeros(grid.shape, bool)
+
+    def add(self, tile: Tile) -> None:
+        """Fill in the cells of a tile."""
+        side = tile.edge // self.grid.step
+        column, row = ((tile.corner[i] - self.grid.corner[i]) // self.grid.step for i in (0, 1))
+        place = slice(row, row + side), slice(column, column + side)
+        counts, sums = _layers(tile.xyz, self.grid.step, side, to_lattice(LAYER))
+        self.height[place], self.clear[place] = _lowest(counts, sums, SUPPORT, ENOUGH, CLEARANCE)
+        self.height[place] *= LATTICE
 
 
 @njit(nogil=True, cache=True)
-def _lowest(xyz, step, side, layer, support):
-    """Mean height of the lowest layer that, with the next, holds its share of a cell's points."""
+def _layers(xyz, step, side, layer):
+    """Count the points of each cell by layer, and sum their heights."""
     low, high = xyz[:, 2].min(), xyz[:, 2].max()
     layers = np.int64(high - low) // layer + 2
     counts = np.zeros((side, side, layers), np.int32)
@@ -57,14 +76,22 @@ def _lowest(xyz, step, side, layer, support):
         column, row, level = xyz[i, 0] // step, xyz[i, 1] // step, np.int64(xyz[i, 2] - low) // layer
         counts[row, column, level] += 1
         sums[row, column, level] += xyz[i, 2]
-    out = np.full((side, side), np.inf)
-    for row in range(side):
-        for column in range(side):
+    return counts, sums
+
+
+@njit(nogil=True, cache=True)
+def _lowest(counts, sums, support, enough, clearance):
+    """Return the mean height of the lowest layer that, with the next, has support, and if it is clear."""
+    rows, columns, layers = counts.shape
+    height = np.full((rows, columns), np.nan)
+    clear = np.zeros((rows, columns), np.bool_)
+    for row in range(rows):
+        for column in range(columns):
             cell = counts[row, column]
             total = cell.sum()
             if total == 0:
                 continue
-            needed = max(2.0, support * total)
+            needed = min(max(2.0, support * total), enough)
             level = 0
             while level < layers - 1 and cell[level] + cell[level + 1] < needed:
                 level += 1
@@ -72,33 +99,33 @@ def _lowest(xyz, step, side, layer, support):
                 level = 0
             while cell[level] == 0:
                 level += 1
-            out[row, column] = sums[row, column, level] / cell[level]
-    return out
+            height[row, column] = sums[row, column, level] / cell[level]
+            above = cell[level + 2 : level + 2 + clearance].sum()
+            clear[row, column] = above <= cell[level : level + 2].sum()
+    return height, clear
 
 
-def ground_surface(surface: np.ndarray) -> np.ndarray:
-    """Return the height of the ground under every cell.
+def ground_surface(surface: LowestSurface) -> np.ndarray:
+    """Return the height of the ground under every cell; float64, shape (rows, columns), metres.
 
     Cells whose lowest surfaces pass into one another are one surface, and it is ground if it is
-    wide: terraces and storeys stay apart from each other, and the top of a wall or a table is
-    never ground. Every other cell takes the height of the nearest ground, or its own if that is a little
-    lower.
-
-    Parameters
-    ----------
-    surface : ndarray of float64, shape (rows, columns)
-        Height of the lowest surface in metres; inf where there is no point.
+    somewhere wide, smooth and clear above: terraces and storeys stay apart from each other, and the
+    top of a wall, a table or the underside of a crown is never ground. If there is none, the largest
+    surface is ground. Every other cell takes the height of the nearest ground, or its own if that is
+    a little lower.
     """
-    seen = np.isfinite(surface)
-    filled = np.where(seen, surface, surface[seen].max())
-    usual = ndimage.percentile_filter(filled, 25, size=7, mode="nearest")
-    sound = seen & (surface > usual - PIT)
-    ground = _wide_parts(_surfaces(np.where(sound, surface, np.inf)))
+    seen = np.isfinite(surface.height)
+    filled = np.where(seen, surface.height, surface.height[seen].max())
+    usual = ndimage.percentile_filter(filled, 10, size=7, mode="nearest")
+    sound = seen & (filled > usual - PIT)
+    heights = np.where(sound, surface.height, np.nan)
+    surfaces = _surfaces(heights)
+    ground = _wide_parts(surfaces, _is_smooth(heights) & surface.clear)
     if not ground.any():
-        ground = sound
+        ground = surfaces == np.bincount(surfaces[sound]).argmax()
     nearest = ndimage.distance_transform_edt(~ground, return_distances=False, return_indices=True)
-    heights = surface[tuple(nearest)]
-    return np.where(sound, np.minimum(surface, heights), heights)
+    beside = heights[tuple(nearest)]
+    return np.where(sound, np.fmin(heights, beside), beside)
 
 
 def _surfaces(surface: np.ndarray) -> np.ndarray:
@@ -109,8 +136,7 @@ def _surfaces(surface: np.ndarray) -> np.ndarray:
         ((slice(None), slice(1, None)), (slice(None), slice(-1))),
         ((slice(1, None),), (slice(-1),)),
     ):
-        with np.errstate(invalid="ignore"):
-            linked = np.abs(surface[one] - surface[other]) <= STEEPEST * CELL
+        linked = np.abs(surface[one] - surface[other]) <= STEEPEST * CELL
         first.append(number[one][linked])
         second.append(number[other][linked])
     first, second = np.concatenate(first), np.concatenate(second)
@@ -119,11 +145,21 @@ def _surfaces(surface: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(surface), labels, 0)
 
 
-def _wide_parts(labels: np.ndarray) -> np.ndarray:
-    """Tell the cells of surfaces that hold a square of `PATCH` cells."""
-    low = ndimage.minimum_filter(labels, PATCH, mode="constant", cval=0)
+def _is_smooth(surface: np.ndarray) -> np.ndarray:
+    """Tell the cells at which the surface bends little; what is not known does not bend."""
+    smooth = np.ones(surface.shape, bool)
+    for axis in (0, 1):
+        bend = np.diff(surface, 2, axis=axis)
+        inner = (slice(1, -1), slice(None)) if axis == 0 else (slice(None), slice(1, -1))
+        smooth[inner] &= ~(np.abs(bend) > SMOOTH)
+    return smooth
+
+
+def _wide_parts(labels: np.ndarray, smooth: np.ndarray) -> np.ndarray:
+    """Tell the cells of surfaces that hold a smooth square of `PATCH` cells."""
+    low = ndimage.minimum_filter(np.where(smooth, labels, 0), PATCH, mode="constant", cval=0)
     high = ndimage.maximum_filter(labels, PATCH, mode="constant", cval=0)
-    wide = np.unique(labels[(low == high) & (labels > 0)])
+    wide = np.unique(labels[(low == high) & (low > 0)])
     return np.isin(labels, wide)
 
 
