@@ -83,6 +83,13 @@ def test_every_algorithm_can_be_found_and_looked_up(algorithm):
     assert Path(algorithm.svgIconPath()).is_file()
 
 
+def test_the_page_of_an_algorithm_names_every_parameter_and_output(algorithm):
+    page = (Path(__file__).parents[2] / "docs" / f"{algorithm.name()}.md").read_text(encoding="utf-8")
+
+    names = [item.name() for item in (*algorithm.parameterDefinitions(), *algorithm.outputDefinitions())]
+    assert [name for name in names if name not in page] == []
+
+
 def test_algorithms_run_in_the_background_and_can_be_cancelled(algorithm):
     from qgis.core import QgsProcessingAlgorithm
 
