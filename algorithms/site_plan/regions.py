@@ -101,5 +101,5 @@ def width_of(region, pixel_size: float) -> float:
 def _is_column(region, pixel_size: float) -> bool:
     """Tell the outline of a column, all or most of it seen, from a bush that is full of points."""
     width = width_of(region, pixel_size)
-    hollow = width <= POST_WIDTH or region.area <= HOLLOW * region.convex_area
+    hollow = width <= POST_WIDTH or region.area <= HOLLOW * region.area_convex
     return width <= COLUMN_WIDTH and hollow

@@ -41,7 +41,7 @@ def test_a_single_band_is_a_density_without_heights(tmp_path):
     ("profile", "word"),
     [
         ({"transform": Affine(0.1, 0, 0, 0, -0.2, 0)}, "square"),
-        ({"transform": Affine.rotation(20) * GRID}, "north up"),
+        ({"transform": Affine(0.09, 0.03, 412_300.0, 0.03, -0.09, 5_812_700.0)}, "north up"),
         ({"crs": CRS.from_epsg(4326)}, "metres"),
         ({"crs": CRS.from_epsg(2225)}, "metres"),
     ],
