@@ -10,7 +10,11 @@ from typing import Union
 from .errors import InputError
 
 # What belongs to an older output of the same name, and would contradict the new one.
-SHAPEFILE_SIDECARS = (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj")
+APPENDED_SIDECARS = (".aux.xml", ".xml", ".ovr", ".msk", "-wal", "-shm", "-journal")
+SIDECARS = {
+    ".shp": (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj"),
+    ".tif": (".tfw",),
+}
 
 
 @contextmanager
@@ -69,10 +73,9 @@ def _publish(folder: Path, target: Path) -> None:
 
 
 def _sidecars(target: Path) -> list[Path]:
-    sidecars = [target.with_name(target.name + ".aux.xml")]
-    if target.suffix.lower() == ".shp":
-        sidecars += [target.with_suffix(suffix) for suffix in SHAPEFILE_SIDECARS]
-    return sidecars
+    appended = [target.with_name(target.name + suffix) for suffix in APPENDED_SIDECARS]
+    replaced = SIDECARS.get(target.suffix.lower(), ())
+    return appended + [target.with_suffix(suffix) for suffix in replaced]
 
 
 def _explain(target: Path, error: OSError) -> str:

@@ -7,7 +7,9 @@ import numpy as np
 import rasterio
 from affine import Affine
 from rasterio.crs import CRS
+from rasterio.errors import RasterioError
 
+from .errors import InputError
 from .files import atomic_output
 
 NODATA = -9999.0
@@ -56,12 +58,32 @@ def write_raster(
         "num_threads": "all_cpus",
         "BIGTIFF": "IF_SAFER",
     }
-    with atomic_output(path) as temporary, rasterio.open(temporary, "w", **profile) as raster:
-        for number, (name, values) in enumerate(bands.items(), start=1):
-            raster.set_band_description(number, name)
-            raster.update_tags(number, **_statistics(values))
-            filled = np.where(np.isfinite(values), values, NODATA) if floating else values
-            raster.write(filled.astype(values.dtype), number)
+    with atomic_output(path) as temporary:
+        with rasterio.open(temporary, "w", **profile) as raster:
+            for number, (name, values) in enumerate(bands.items(), start=1):
+                raster.set_band_description(number, name)
+                raster.update_tags(number, **_statistics(values))
+                raster.write(_filled(values), number)
+        if not _holds(temporary, arrays):
+            raise InputError(f"{path} cannot be written whole; free some space or choose another folder.")
+
+
+def _filled(values: np.ndarray) -> np.ndarray:
+    if values.dtype.kind != "f":
+        return values
+    return np.where(np.isfinite(values), values, NODATA).astype(values.dtype)
+
+
+def _holds(path: Path, arrays: list) -> bool:
+    """Tell whether a raster can be read as it was written; GDAL does not tell of a disk that is full."""
+    try:
+        with rasterio.open(path) as raster:
+            return all(
+                np.array_equal(raster.read(number), _filled(values))
+                for number, values in enumerate(arrays, start=1)
+            )
+    except (RasterioError, OSError):
+        return False
 
 
 def _statistics(values: np.ndarray) -> dict:

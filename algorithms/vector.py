@@ -1,10 +1,12 @@
 """Writing vector layers: shapefile or GeoPackage, by extension."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Optional
 
 import fiona
+from fiona.errors import FionaError
 from rasterio.crs import CRS
 from shapely.geometry import mapping
 
@@ -47,6 +49,18 @@ def write_vector(path: Path, geometry: str, fields: dict, features: Iterable, cr
     ]
     with (
         atomic_output(path) as temporary,
+        _gdal_errors_named(path),
         fiona.open(temporary, "w", driver=driver, schema=schema, crs_wkt=wkt, **options) as layer,
     ):
         layer.writerecords(records)
+
+
+@contextmanager
+def _gdal_errors_named(path: Path) -> Iterator[None]:
+    """Turn GDAL's troubles, such as a full disk, into one sentence."""
+    try:
+        yield
+    except (FionaError, RuntimeError) as error:
+        raise InputError(
+            f"{path} cannot be written ({error}); free some space or choose another folder."
+        ) from error

@@ -22,7 +22,7 @@ from .dependencies import explain_broken, explain_missing, missing_modules
 from .destinations import check_outputs
 from .log import Log
 from .parameters import CloudFiles, RasterFile
-from .styles import show_when_loaded, style_of
+from .styles import MARK, show_when_loaded, style_of
 
 ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
 MANUAL = "https://github.com/ichnograph/ichnograph/blob/main/docs"
@@ -155,6 +155,8 @@ class Algorithm(QgsProcessingAlgorithm):
 def _write(files: dict, writers: dict) -> dict:
     """Write all files with their styles, or none; return the styles by path."""
     styles = {}
+    # Layers that share their name but for the extension would share the style beside them.
+    stems = [path.with_suffix("") for path in files.values()]
     with ExitStack() as stack:
         for output, path in files.items():
             temporary = stack.enter_context(atomic_output(path))
@@ -165,10 +167,14 @@ def _write(files: dict, writers: dict) -> dict:
                 raise type(error)(str(error).replace(str(temporary), str(path))) from error
             if output.style:
                 styles[path] = style_of(output.style, temporary)
-                # A style that is older than the layer belongs to another one.
-                if path.exists() or not path.with_suffix(".qml").exists():
+                if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
                     temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
     return styles
+
+
+def _is_ours(style: Path) -> bool:
+    """Tell whether a style may be written there: a user's own is kept."""
+    return not style.exists() or MARK in style.read_text(encoding="utf-8", errors="replace")
 
 
 @contextmanager

@@ -22,6 +22,7 @@ SPACING = Number(
     unit="m",
     default=0.05,
     minimum=0.001,
+    maximum=100,
 )
 
 PIXEL_SIZE = Number(
@@ -31,6 +32,7 @@ PIXEL_SIZE = Number(
     unit="m",
     default=0.10,
     minimum=0.001,
+    maximum=100,
 )
 
 CRS = ReferenceSystem(

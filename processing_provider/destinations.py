@@ -118,9 +118,10 @@ def check_outputs(outputs: dict, sources: Iterable) -> None:
     """
     taken = {Path(source).resolve(): "an input" for source in sources}
     for output, path in outputs.items():
-        if path.suffix.lower() not in output.extensions:
+        if path.suffix not in output.extensions or path.name.endswith(".copc.laz"):
             endings = " or ".join(output.extensions)
-            raise InputError(f"{output.name} {path} cannot be written; end the name in {endings}.")
+            case = ", in lower case" if path.suffix.lower() in output.extensions else ""
+            raise InputError(f"{output.name} {path} cannot be written; end the name in {endings}{case}.")
         if not path.parent.is_dir():
             raise InputError(f"{output.name} {path}: there is no folder {path.parent}; create it first.")
         if path.is_dir() or not _is_writable(path.parent):

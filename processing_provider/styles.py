@@ -13,6 +13,9 @@ from qgis.PyQt.QtXml import QDomDocument
 
 STYLES = Path(__file__).parent / "styles"
 
+MARK = "<!-- made by Ichnograph -->"
+"""In every style that is written here; QGIS leaves it out when a user saves a style."""
+
 STRETCH = 2.0
 """Standard deviations of a band on either side of its mean that the grey values span."""
 
@@ -22,7 +25,9 @@ def style_of(name: str, file: Path) -> str:
     template = Template((STYLES / f"{name}.qml").read_text(encoding="utf-8"))
     if "$minimum" not in template.template:
         return template.template
-    layer = QgsRasterLayer(str(file))
+    options = QgsRasterLayer.LayerOptions()
+    options.loadDefaultStyle = False
+    layer = QgsRasterLayer(str(file), "", "gdal", options)
     band = layer.dataProvider().bandStatistics(1)
     return template.substitute(
         minimum=max(band.minimumValue, band.mean - STRETCH * band.stdDev),

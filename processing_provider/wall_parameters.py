@@ -58,6 +58,7 @@ WALL_PARAMETERS = (
         "tell where the ground was seen, so that doors stay open, and 0.4 m where they do not.",
         unit="m",
         minimum=0,
+        maximum=100,
     ),
     Number(
         "MIN_HEIGHT",

@@ -93,7 +93,8 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
     if not paths:
         raise InputError("No point cloud was given; choose at least one file.")
     files = [Path(path) for path in paths]
-    repeated = next((path for index, path in enumerate(files) if path in files[:index]), None)
+    places = [path.resolve() for path in files]
+    repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
     if repeated:
         raise InputError(f"{repeated} is given twice; remove it once.")
     sources = tuple(_open(path) for path in files)

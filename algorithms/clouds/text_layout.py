@@ -13,7 +13,9 @@ from ..errors import InputError
 
 SAMPLE_BYTES = 65536
 COMMENTS = ("#", "//", ";")
-NUMBER = re.compile(r"[+-]?((\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?|nan|inf(inity)?)", re.IGNORECASE)
+NUMBER = re.compile(r"[+-]?((\d+(\.\d*|,\d+)?|[.,]\d+)([eE][+-]?\d+)?|nan|inf(inity)?)", re.IGNORECASE)
+
+COMMA_BLANK = re.compile(r",\s+\S")
 
 # What columns are called, in lower case and free of units, blanks, underscores and hyphens.
 NAMES = {
@@ -178,7 +180,9 @@ def _delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
     for line in lines:
         if is_comment(line):
             continue
-        for delimiter in (";", "\t", " ", ","):
+        # A comma before a blank ends a column; without one it may be a decimal sign.
+        order = (";", "\t", ",", " ") if COMMA_BLANK.search(line) else (";", "\t", " ", ",")
+        for delimiter in order:
             fields = split(line, delimiter)
             if sum(bool(NUMBER.fullmatch(field)) for field in fields) >= 3:
                 shapes[delimiter, len(fields)] += 1

@@ -20,6 +20,9 @@ from .cloud import Cloud
 LATTICE = 1e-5
 """Step of the lattice, in metres: a tenth of the finest step that scanners' files use."""
 
+FINE = 1e-7
+"""Step of the integers that coordinates are rounded from, in metres; finer than files are written."""
+
 MAX_HEIGHT = 20_000.0
 """Heights beyond this, in metres, fit no site: stray measurements or geocentric coordinates."""
 
@@ -98,7 +101,7 @@ class TileStore:
         if not near.all():
             self.stray_count += int((~near).sum())
             xyz, index = xyz[near], index[near]
-        key, records = _by_tile(xyz, np.rint(origin / LATTICE).astype(np.int64), index, self.edge)
+        key, records = _by_tile(xyz, np.rint(origin).astype(np.int64), index, self.edge)
         starts = np.flatnonzero(np.r_[True, (np.diff(key, axis=0) != 0).any(axis=1)][: len(key)])
         for start, stop in zip(starts, np.r_[starts[1:], len(key)]):
             self._parts[tuple(key[start].tolist())].append((self._end + start, stop - start))
@@ -133,7 +136,7 @@ class TileStore:
 
 def _by_tile(xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int) -> tuple:
     """Return tile keys (n, 2) and records (n,), both sorted by row, then column; a stable order."""
-    key, place = _place(np.ascontiguousarray(xyz), origin, edge, LATTICE)
+    key, place = _place(np.ascontiguousarray(xyz), origin, edge, round(1 / FINE), round(LATTICE / FINE))
     column, row = (key - key.min(axis=0)).T if len(key) else key.T
     # Scanners write neighbours in sequence, and a stable sort is fast on what is sorted already.
     order = np.argsort(row * (column.max(initial=0) + 1) + column, kind="stable")
@@ -144,17 +147,24 @@ def _by_tile(xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int) 
 
 
 @njit(nogil=True, cache=True)
-def _place(xyz, origin, edge, lattice):
+def _place(xyz, origin, edge, per_metre, steps):
     """Return the tile of each point, and its lattice coordinates about the tile's corner."""
     key = np.empty((len(xyz), 2), np.int64)
     place = np.empty((len(xyz), 3), np.int32)
     for i in range(len(xyz)):
         for axis in range(2):
-            value = np.int64(np.rint(xyz[i, axis] / lattice)) + origin[axis]
+            value = _rounded(xyz[i, axis], origin[axis], per_metre, steps)
             key[i, axis] = value // edge
             place[i, axis] = value - key[i, axis] * edge
-        place[i, 2] = np.int64(np.rint(xyz[i, 2] / lattice)) + origin[2]
+        place[i, 2] = _rounded(xyz[i, 2], origin[2], per_metre, steps)
     return key, place
+
+
+@njit(nogil=True, cache=True)
+def _rounded(value, origin, per_metre, steps):
+    """Round to the lattice by way of finer integers: a tie must not depend on the origin."""
+    fine = np.int64(np.rint(value * per_metre)) + origin * per_metre
+    return (fine + steps // 2) // steps
 
 
 def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:

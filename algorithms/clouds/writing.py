@@ -118,7 +118,7 @@ def _write_text(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) 
                 sep=SEPARATORS[path.suffix.lower()],
                 header=stream.tell() == 0,
                 index=False,
-                float_format="%.4f",
+                float_format="%.5f",
             )
             written += len(table)
     return written

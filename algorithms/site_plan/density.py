@@ -4,7 +4,9 @@ Mueller et al. 2012, section 2.1: the cloud is thinned to a minimum distance and
 pixels around it. The heights are read from all points on the way.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from affine import Affine
@@ -101,7 +103,20 @@ def density_image(
         for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.6, 1.0)):
             layers.add(tile, rows, neighbourhood)
             kept += len(rows)
-        return _image(layers, cloud, store.point_count, kept, stray)
+        warnings = (
+            *cloud.warnings,
+            *stray_warning(cloud, stray, store.point_count),
+            *_doubts(high - low, spacing, pixel_size),
+        )
+        return _image(layers, cloud.crs, store.point_count, kept, warnings)
+
+
+def _doubts(size: np.ndarray, spacing: float, pixel_size: float) -> Iterator[str]:
+    """Yield what the user may not have meant."""
+    if (size[:2] < to_lattice(1.0)).all():
+        yield "The points lie within a metre; check that the coordinates are metres, not degrees."
+    if spacing > pixel_size:
+        yield f"SPACING {spacing:g} m is wider than PIXEL_SIZE {pixel_size:g} m, so walls have gaps."
 
 
 def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tuple:
@@ -189,7 +204,7 @@ def _occupied_bins(bits: np.ndarray) -> np.ndarray:
     return sum((bits >> np.uint32(k)) & one for k in range(BINS))
 
 
-def _image(layers: _Layers, cloud: Cloud, points_in: int, kept: int, stray: int) -> DensityImage:
+def _image(layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple) -> DensityImage:
     counts = _occupied_bins(layers.bits)
 
     def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
@@ -203,8 +218,8 @@ def _image(layers: _Layers, cloud: Cloud, points_in: int, kept: int, stray: int)
         top=top_down(layers.top, held),
         ground=layers.ground[::-1].astype(np.float32),
         transform=layers.grid.transform,
-        crs=cloud.crs,
+        crs=crs,
         points_in=points_in,
         points_kept=kept,
-        warnings=(*cloud.warnings, *stray_warning(cloud, stray, points_in)),
+        warnings=warnings,
     )

@@ -117,7 +117,7 @@ def extract_wall_pixels(
     NothingFoundError
         If no region is left; the message says what removed them.
     """
-    gate = make_gate(density, heights, parameters.min_height)
+    gate = make_gate(density, heights, parameters.min_height, pixel_size)
     thresholds = choose_thresholds(
         density,
         gate.flat,
@@ -152,10 +152,16 @@ def _what_removed(
     regions = sum(selection.regions for selection in selections)
     small = sum(selection.too_small for selection in selections)
     shape = sum(selection.wrong_shape for selection in selections)
+    if not regions and gate.tall.any():
+        return (
+            f"No wall found: no pixel of the {int(gate.tall.sum())} that MIN_HEIGHT "
+            f"{parameters.min_height:g} m left is as dense as THRESHOLD {thresholds.values[0]:.3g} standard "
+            "deviations; lower it, or leave it empty."
+        )
     return (
         f"No wall found: MIN_HEIGHT {parameters.min_height:g} m left {int(gate.tall.sum())} of "
         f"{gate.tall.size} pixels; over {len(thresholds.values)} thresholds from "
-        f"{thresholds.values[0]:.2f} to {thresholds.values[-1]:.2f} standard deviations they formed "
+        f"{thresholds.values[0]:.3g} to {thresholds.values[-1]:.3g} standard deviations they formed "
         f"{regions} regions, of which MIN_AREA {criteria.min_area:g} m2 removed {small}, and "
         f"MAX_FILL {criteria.max_fill:g} with MIN_ELONGATION {criteria.min_elongation:g} removed "
         f"{shape}; relax the one that removed most."

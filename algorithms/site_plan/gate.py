@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
+from scipy import ndimage
 
 FLAT = 0.15
 """Occupied height (m) up to which a pixel shows horizontal surfaces only: a single bin."""
@@ -19,7 +20,10 @@ COLUMN_HEIGHT = 1.5
 """Occupied height (m) of a column: three quarters of the window that is looked at."""
 
 SLICE = 0.7
-"""A cloud that nowhere rises this high (m) above its ground is a horizontal slice."""
+"""A horizontal slice does not rise this high (m) above what would be its ground."""
+
+FLOOR_WIDTH, FLOOR_SHARE = 1.0, 0.2
+"""Nor does it show a floor: squares of this width (m) that cover this share of the pixels with points."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,7 @@ class Gate:
     warnings: tuple
 
 
-def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float) -> Gate:
+def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float, pixel_size: float) -> Gate:
     """Return the gate for a density image.
 
     It is open, so that every pixel may be wall, if the heights are unknown, if the cloud is a
@@ -70,12 +74,14 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
         Heights of the same pixels.
     min_height : float
         Least occupied height of a wall pixel, metres.
+    pixel_size : float
+        Metres.
     """
     held = np.isfinite(density)
     if heights is None:
         unknown = "The raster has no bands of heights: MIN_HEIGHT is not applied."
         return Gate(held, held, None, None, (unknown,) if min_height > 0 else ())
-    if float(np.nanpercentile(heights.top - heights.ground, 99.9)) < SLICE:
+    if _is_slice(held, heights, pixel_size):
         sliced = (
             f"The points reach less than {SLICE:g} m above their ground, as in a horizontal slice: "
             "MIN_HEIGHT is not applied."
@@ -90,3 +96,13 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
         return Gate(held, flat, None, None, ())
     low = np.nan_to_num(heights.base - heights.ground, nan=np.inf) <= GROUND_STEP
     return Gate(held & (occupied >= min_height), flat, occupied >= COLUMN_HEIGHT, low, ())
+
+
+def _is_slice(held: np.ndarray, heights: Heights, pixel_size: float) -> bool:
+    """Tell a horizontal slice, which shows lines, from a flat site, which shows its ground."""
+    if float(np.nanpercentile(heights.top - heights.ground, 99.9)) >= SLICE:
+        return False
+    width = max(round(FLOOR_WIDTH / pixel_size), 3)
+    floor = ndimage.minimum_filter(held, width, mode="constant")
+    floor = ndimage.maximum_filter(floor, width, origin=-1 if width % 2 == 0 else 0, mode="constant")
+    return np.count_nonzero(floor) < FLOOR_SHARE * np.count_nonzero(held)

@@ -9,6 +9,7 @@ import rasterio
 from affine import Affine
 from rasterio.crs import CRS
 
+from ..clouds.crs import require_metres
 from ..errors import InputError
 from ..raster import write_raster
 from ..vector import write_vector
@@ -100,11 +101,8 @@ def _check_grid(path: Path, raster) -> None:
         raise InputError(f"INPUT {path}: is not georeferenced; give the output of 'densityimage'.")
     if t.b or t.d or t.a <= 0 or abs(t.a + t.e) > 1e-6 * t.a:
         raise InputError(f"INPUT {path}: pixels must be square and north up; resample it with the Warp tool.")
-    crs = raster.crs
-    if crs and (crs.is_geographic or abs(crs.linear_units_factor[1] - 1) > 1e-9):
-        raise InputError(
-            f"INPUT {path}: its coordinate reference system is not in metres; reproject it first."
-        )
+    if raster.crs:
+        require_metres(raster.crs, str(path))
 
 
 def _filled(raster, number: int) -> np.ndarray:

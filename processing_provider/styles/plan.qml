@@ -1,4 +1,5 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
+<!-- made by Ichnograph -->
 <qgis styleCategories="Symbology" version="3.22">
   <pipe>
     <rasterrenderer type="paletted" band="1" alphaBand="-1" nodataColor="" opacity="1">

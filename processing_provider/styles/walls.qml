@@ -1,4 +1,5 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
+<!-- made by Ichnograph -->
 <qgis styleCategories="Symbology" version="3.22">
   <renderer-v2 type="categorizedSymbol" attr="kind" enableorderby="0" symbollevels="0">
     <categories>

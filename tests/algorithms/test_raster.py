@@ -45,3 +45,14 @@ def test_a_failed_write_leaves_the_old_raster_untouched(tmp_path):
         write_raster(path, {"wall": np.full((3, 3), None)}, GRID, None)
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_raster_that_cannot_be_read_as_it_was_written_is_not_published(tmp_path, monkeypatch):
+    """GDAL says nothing of a disk that fills up while it closes the file."""
+    path = tmp_path / "plan.tif"
+    path.write_bytes(b"old")
+    monkeypatch.setattr(np, "array_equal", lambda one, other: False)
+    with pytest.raises(InputError, match=r"plan\.tif cannot be written whole"):
+        write_raster(path, {"wall": np.eye(3, dtype=np.uint8)}, GRID, None)
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]

@@ -46,3 +46,10 @@ def test_a_failed_write_leaves_the_old_layer_untouched(tmp_path):
     with pytest.raises(KeyError):
         write_vector(path, "Polygon", FIELDS, [(box(0, 0, 1, 1), {"wall_id": 1})], None)
     assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == before
+
+
+def test_the_journal_of_an_older_geopackage_goes_with_it(tmp_path):
+    for suffix in ("", "-wal", "-shm", "-journal"):
+        (tmp_path / f"walls.gpkg{suffix}").write_bytes(b"old")
+    write_vector(tmp_path / "walls.gpkg", "Polygon", FIELDS, WALLS, None)
+    assert [path.name for path in tmp_path.iterdir()] == ["walls.gpkg"]

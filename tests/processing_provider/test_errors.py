@@ -24,9 +24,9 @@ def refuse(run):
 @pytest.mark.parametrize(
     ("parameters", "sentence"),
     [
-        ({"SPACING": 0}, "SPACING must be a number, at least 0.001 (m), not 0."),
-        ({"SPACING": "wide"}, "SPACING must be a number, at least 0.001 (m), not wide."),
-        ({"PIXEL_SIZE": float("nan")}, "PIXEL_SIZE must be a number, at least 0.001 (m), not nan."),
+        ({"SPACING": 0}, "SPACING must be a number, from 0.001 to 100 (m), not 0."),
+        ({"SPACING": "wide"}, "SPACING must be a number, from 0.001 to 100 (m), not wide."),
+        ({"PIXEL_SIZE": float("nan")}, "PIXEL_SIZE must be a number, from 0.001 to 100 (m), not nan."),
         ({"MAX_FILL": 1.5}, "MAX_FILL must be a number, from 0 to 1 (ratio), not 1.5."),
         ({"NEIGHBOURHOOD": 6}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 6."),
         ({"NEIGHBOURHOOD": 0.5}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 0.5."),

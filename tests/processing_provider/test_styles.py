@@ -83,7 +83,21 @@ def test_the_style_of_another_layer_is_not_overwritten(open_layers, tmp_path):
 
 def test_the_style_follows_a_layer_that_is_written_anew(open_layers, tmp_path):
     open_layers()
-    (tmp_path / "density.qml").write_text("older")
+    (tmp_path / "density.qml").write_text("<!-- made by Ichnograph --> older")
     open_layers()
 
     assert "singlebandgray" in (tmp_path / "density.qml").read_text()
+
+
+def test_a_style_of_the_user_is_kept_when_the_layer_is_written_anew(open_layers, tmp_path):
+    open_layers()
+    (tmp_path / "walls.qml").write_text("mine")
+    open_layers()
+
+    assert (tmp_path / "walls.qml").read_text() == "mine"
+
+
+def test_layers_that_differ_in_their_extension_only_get_no_style_beside_them(run, room, tmp_path):
+    run("siteplan", INPUT=room, DENSITY=str(tmp_path / "site.tif"), WALLS=str(tmp_path / "site.shp"))
+
+    assert not (tmp_path / "site.qml").exists()

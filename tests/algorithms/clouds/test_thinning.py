@@ -85,6 +85,12 @@ def test_the_result_does_not_depend_on_the_local_origin():
     np.testing.assert_array_equal(thin_cloud(moved, 0.3).kept, thin_cloud(cloud_of(points), 0.3).kept)
 
 
+def test_coordinates_finer_than_the_lattice_do_not_depend_on_the_local_origin_either():
+    points = np.random.default_rng(3).uniform(-4, 4, (20_000, 3)).round(6)
+    moved = cloud_of(points + [300.0, -200.0, 0.0], origin=ORIGIN - [300.0, -200.0, 0.0])
+    np.testing.assert_array_equal(thin_cloud(moved, 0.2).kept, thin_cloud(cloud_of(points), 0.2).kept)
+
+
 def test_a_spacing_wider_than_a_tile_holds_too():
     points = scattered(4000, size=(40.0, 40.0, 1.0))
     kept = points[thin_cloud(cloud_of(points), 9.0).kept]

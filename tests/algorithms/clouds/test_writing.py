@@ -130,9 +130,9 @@ def test_a_chosen_reference_system_is_written_into_an_old_las(tmp_path):
 @pytest.mark.parametrize(
     ("name", "content"),
     [
-        ("out.xyz", "x y z intensity red green blue\n600001.5000 5000000.5000 3.2500 9 255 0 1\n"),
-        ("out.txt", "x y z intensity red green blue\n600001.5000 5000000.5000 3.2500 9 255 0 1\n"),
-        ("out.CSV", "x,y,z,intensity,red,green,blue\n600001.5000,5000000.5000,3.2500,9,255,0,1\n"),
+        ("out.xyz", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 9 255 0 1\n"),
+        ("out.txt", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 9 255 0 1\n"),
+        ("out.CSV", "x,y,z,intensity,red,green,blue\n600001.50000,5000000.50000,3.25000,9,255,0,1\n"),
     ],
 )
 def test_text_output_has_a_header_and_can_be_read_again(tmp_path, name, content):

@@ -99,3 +99,34 @@ def test_a_horizontal_slice_is_taken_without_the_gate():
     image = extract_walls(density, heights, GRID, WallParameters()).image
     assert image.walls[20:22, 10:90].all()
     assert "horizontal slice" in image.warnings[0]
+
+
+def field(width, building):
+    """Return a flat field of pixels with a small building of `building` pixels square, or none."""
+    density = np.random.default_rng(0).normal(3.0, 0.3, (width, width))
+    ground = np.zeros(density.shape)
+    occupied, top = ground.copy(), ground.copy()
+    wall = np.zeros(density.shape, bool)
+    wall[100 : 100 + building, 100 : 100 + building] = True
+    wall[101 : 99 + building, 101 : 99 + building] = False
+    density[wall], occupied[wall], top[wall] = 60.0, 2.0, 2.5
+    return density, Heights(occupied, ground.copy(), top, ground), wall
+
+
+def test_a_large_field_with_a_small_building_is_no_slice():
+    density, heights, wall = field(800, 40)
+    image = extract_walls(density, heights, GRID, WallParameters()).image
+    assert image.warnings == ()
+    np.testing.assert_array_equal(image.walls, wall)
+
+
+def test_a_bare_floor_has_no_walls():
+    density, heights, _wall = field(300, 0)
+    with pytest.raises(NothingFoundError):
+        extract_walls(density, heights, GRID, WallParameters())
+
+
+def test_a_threshold_above_all_density_is_named():
+    density, heights, *_ = scene()
+    with pytest.raises(NothingFoundError, match="THRESHOLD 50"):
+        extract_walls(density, heights, GRID, WallParameters(threshold=50.0))
