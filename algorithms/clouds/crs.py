@@ -46,10 +46,19 @@ def parse_geotiff_keys(directory: bytes, doubles: bytes, text: bytes) -> Optiona
 
 
 def horizontal(crs: CRS) -> CRS:
-    """Return `crs` without its heights."""
+    """Return `crs` without its heights.
+
+    Raises
+    ------
+    InputError
+        If the heights are not in metres.
+    """
     wkt = crs.to_wkt()
     if not wkt.startswith("COMPD_CS"):
         return crs
+    vertical = re.search(r'VERT_CS\[.*\bUNIT\["([^"]*)",([^],]+)', wkt)
+    if vertical and float(vertical.group(2)) != 1.0:
+        raise InputError(f"The heights of {name_of(crs)} are in {vertical.group(1)}; convert them to metres.")
     start = re.search(r"\b(PROJCS|GEOGCS|LOCAL_CS)\[", wkt).start()
     depth = 0
     for match in re.finditer(r'"[^"]*"|\[|\]', wkt[start:]):

@@ -279,6 +279,8 @@ def _read_crs(path: Path, header: laspy.LasHeader) -> tuple[Optional[CRS], tuple
         if 34735 in records:
             keys = [records.get(key, b"") for key in (34735, 34736, 34737)]
             return reference_systems.parse_geotiff_keys(*keys), ()
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
     except ValueError:
         return None, (f"The coordinate reference system in {path} cannot be understood.",)
     return None, ()

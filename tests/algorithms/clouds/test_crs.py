@@ -3,7 +3,13 @@
 import struct
 
 import pytest
-from ichnograph.algorithms.clouds.crs import name_of, parse_geotiff_keys, parse_wkt, require_metres
+from ichnograph.algorithms.clouds.crs import (
+    horizontal,
+    name_of,
+    parse_geotiff_keys,
+    parse_wkt,
+    require_metres,
+)
 from ichnograph.algorithms.errors import InputError
 from rasterio.crs import CRS
 
@@ -65,3 +71,8 @@ def test_other_units_are_refused_with_the_remedy(crs, unit):
 def test_a_system_is_named_by_its_code_or_else_its_own_name():
     assert name_of(CRS.from_epsg(25832)) == "EPSG:25832"
     assert name_of(CRS.from_wkt('LOCAL_CS["site",UNIT["metre",1]]')) == "site"
+
+
+def test_heights_in_feet_are_refused():
+    with pytest.raises(InputError, match=r"heights .* are in US survey foot"):
+        horizontal(CRS.from_string("EPSG:32632+6360"))
