@@ -89,11 +89,17 @@ def density_image(
     Raises
     ------
     InputError
-        If all points have the same position, or the raster would be too large.
+        If all points have the same position, most lie far from each other, or the raster would be
+        too large.
     """
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
         keys, stray = site_tiles(store)
+        if stray > store.point_count / 2:
+            raise InputError(
+                f"{names_of(cloud)}: {stray} of {store.point_count} points lie far from each other; check "
+                "that the coordinates are metres, or cut the cloud to the site."
+            )
         low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud)}: all points have the same position; is it a scan?")

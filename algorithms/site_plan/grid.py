@@ -92,9 +92,11 @@ def site_tiles(store: TileStore) -> tuple:
     share = points / points.sum()
     cover = points / np.bincount(part)
     sparse = (share < SPARSE_SHARE) & (cover < SPARSE_COVER * cover[np.argmax(points)])
-    kept = ~(sparse | (share < STRAY_SHARE))[part]
-    stray = sum(n for n, keep in zip(counts.values(), kept) if not keep)
-    return [tuple(key) for key in keys[kept].tolist()], stray + store.stray_count
+    stray = sparse | (share < STRAY_SHARE)
+    stray[np.argmax(points)] = False
+    kept = ~stray[part]
+    left_out = sum(n for n, keep in zip(counts.values(), kept) if not keep)
+    return [tuple(key) for key in keys[kept].tolist()], left_out + store.stray_count
 
 
 def _connected(blocks: np.ndarray) -> np.ndarray:

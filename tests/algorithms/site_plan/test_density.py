@@ -134,3 +134,9 @@ def test_shuffled_points_give_the_same_image():
     one, other = density_image(cloud_of(points)), density_image(cloud_of(shuffled))
     for band in ("density", "occupied", "base", "top", "ground"):
         np.testing.assert_array_equal(getattr(one, band), getattr(other, band))
+
+
+def test_points_scattered_over_a_country_are_refused():
+    points = np.random.default_rng(0).uniform(0, 1e6, (3000, 3)) * [1, 1, 1e-4]
+    with pytest.raises(InputError, match=r"scan\.laz: 2999 of 3000 points lie far from each other"):
+        density_image(cloud_of(points))
