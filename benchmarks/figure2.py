@@ -11,7 +11,6 @@ from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
 from ichnograph.algorithms.site_plan.density import density_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.gate import Heights
 from ichnograph.algorithms.site_plan.plan import extract_walls
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
@@ -43,8 +42,7 @@ def main() -> None:
     for row, pixel_size in zip(figure.subplots(2, 3), PIXEL_SIZES):
         for axes, spacing in zip(row, SPACINGS):
             image = density_image(open_cloud([cloud]), spacing, pixel_size)
-            heights = Heights(image.occupied, image.base, image.top, image.ground)
-            plan = extract_walls(image.density, heights, image.transform, WallParameters())
+            plan = extract_walls(image.density, image.heights, image.transform, WallParameters())
             walls = unary_union([wall.outline for wall in plan.walls])
             found = compare_plan(walls, scene.truth, 0.10, scan.seen_boundary)
             print(

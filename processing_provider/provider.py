@@ -2,17 +2,14 @@
 
 # ruff: noqa: D102, N802 - the methods and their names are QGIS's.
 
-from pathlib import Path
-
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
+from .algorithm import ICON
 from .density_image import DensityImageAlgorithm
 from .extract_walls import ExtractWallsAlgorithm
 from .site_plan import SitePlanAlgorithm
 from .thin_cloud import ThinCloudAlgorithm
-
-ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
 
 
 class Provider(QgsProcessingProvider):

@@ -49,12 +49,12 @@ class SitePlanAlgorithm(Algorithm):
 
     def compute(self, values: dict, log: Log) -> Outcome:
         """Compute the density image and extract the walls."""
-        from ..algorithms.site_plan.gate import Heights
         from ..algorithms.site_plan.layers import write_density
 
         image = compute_density(values, log, log.progress.part(0.0, 0.8))
-        heights = Heights(image.occupied, image.base, image.top, image.ground)
-        plan = find_walls(image.density, heights, image.transform, values, log, log.progress.part(0.8, 1.0))
+        plan = find_walls(
+            image.density, image.heights, image.transform, values, log, log.progress.part(0.8, 1.0)
+        )
         writers = wall_writers(plan, image.transform, image.crs)
         writers["DENSITY"] = partial(write_density, image=image)
         return Outcome(writers, {**point_numbers(image), **wall_numbers(plan)})

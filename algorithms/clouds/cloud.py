@@ -129,7 +129,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     known = [(source.path, source.crs or chosen) for source in sources if source.crs or chosen]
     if not known:
         return None, (
-            f"There is no coordinate reference system in {_listed(sources)} and none was chosen, "
+            f"There is no coordinate reference system in {names_of(sources)} and none was chosen, "
             "so the results have none either.",
         )
     first, common = known[0]
@@ -143,7 +143,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     silent = tuple(source for source in sources if not (source.crs or chosen))
     if silent:
         return common, (
-            f"There is no coordinate reference system in {_listed(silent)}, so {name_of(common)} "
+            f"There is no coordinate reference system in {names_of(silent)}, so {name_of(common)} "
             "of the other files is taken.",
         )
     if chosen is not None and chosen != common:
@@ -151,6 +151,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     return common, ()
 
 
-def _listed(sources: tuple[Source, ...]) -> str:
-    others = f" and {len(sources) - 1} more" if len(sources) > 1 else ""
-    return f"{sources[0].path.name}{others}"
+def names_of(sources: tuple[Source, ...]) -> str:
+    """Return the names of files for a message; of many, the first and how many more."""
+    names = [source.path.name for source in sources]
+    return ", ".join(names) if len(names) <= 3 else f"{names[0]} and {len(names) - 1} more files"

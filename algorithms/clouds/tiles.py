@@ -15,7 +15,7 @@ from numba import njit
 
 from ..errors import InputError
 from ..progress import Progress
-from .cloud import Cloud
+from .cloud import Cloud, names_of
 
 LATTICE = 1e-5
 """Step of the lattice, in metres: a tenth of the finest step that scanners' files use."""
@@ -179,20 +179,16 @@ def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
         store.add(chunk.xyz, cloud.origin)
     if store.stray_count > 0.01 * store.point_count:
         raise InputError(
-            f"{names_of(cloud)}: {store.stray_count} of {store.point_count} points lie more than "
+            f"{names_of(cloud.sources)}: {store.stray_count} of {store.point_count} points lie more than "
             f"{MAX_HEIGHT / 1000:.0f} km high or deep; transform geocentric coordinates to a projected "
             "coordinate reference system in metres first."
         )
-
-
-def names_of(cloud: Cloud) -> str:
-    """Return the names of a cloud's files, for a message."""
-    names = [source.path.name for source in cloud.sources]
-    return ", ".join(names) if len(names) <= 3 else f"{names[0]} and {len(names) - 1} more files"
 
 
 def stray_warning(cloud: Cloud, stray: int, total: int) -> tuple:
     """Return the sentence that says how many points are left out, or nothing."""
     if not stray:
         return ()
-    return (f"{names_of(cloud)}: {stray} of {total} points lie far away from the site and are left out.",)
+    return (
+        f"{names_of(cloud.sources)}: {stray} of {total} points lie far away from the site and are left out.",
+    )

@@ -13,11 +13,12 @@ from affine import Affine
 from numba import njit
 from rasterio.crs import CRS
 
-from ..clouds.cloud import Cloud
+from ..clouds.cloud import Cloud, names_of
 from ..clouds.thinning import thin_tiles, tile_edge
-from ..clouds.tiles import LATTICE, Tile, TileStore, fill, names_of, stray_warning, to_lattice
+from ..clouds.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
 from ..errors import InputError
 from ..progress import Progress
+from .gate import Heights
 from .grid import Grid, make_grid, site_tiles
 from .ground import CELL, LowestSurface, at_pixels, ground_surface
 
@@ -63,6 +64,11 @@ class DensityImage:
     points_kept: int
     warnings: tuple
 
+    @property
+    def heights(self) -> Heights:
+        """The bands that tell heights."""
+        return Heights(self.occupied, self.base, self.top, self.ground)
+
 
 def density_image(
     cloud: Cloud,
@@ -97,12 +103,12 @@ def density_image(
         keys, stray = site_tiles(store)
         if stray > store.point_count / 2:
             raise InputError(
-                f"{names_of(cloud)}: {stray} of {store.point_count} points lie far from each other; check "
-                "that the coordinates are metres, or cut the cloud to the site."
+                f"{names_of(cloud.sources)}: {stray} of {store.point_count} points lie far from each "
+                "other; check that the coordinates are metres, or cut the cloud to the site."
             )
         low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
-            raise InputError(f"{names_of(cloud)}: all points have the same position; is it a scan?")
+            raise InputError(f"{names_of(cloud.sources)}: all points have the same position; is it a scan?")
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
         layers = _Layers(grid, at_pixels(ground_surface(surface), surface.grid, grid))
         kept = 0

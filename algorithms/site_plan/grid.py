@@ -50,11 +50,6 @@ class Grid:
         return self.height, self.width
 
     @property
-    def pixel_size(self) -> float:
-        """Pixel size in metres."""
-        return self.step * LATTICE
-
-    @property
     def corner(self) -> tuple:
         """Lower left corner in lattice steps."""
         return self.column * self.step, self.row * self.step
@@ -109,8 +104,12 @@ def _connected(blocks: np.ndarray) -> np.ndarray:
         for dy in (-1, 0, 1)
         if (x + dx, y + dy) in number
     ]
-    first, second = np.array(pairs).T
-    links = coo_matrix((np.ones(len(pairs)), (first, second)), shape=(len(blocks),) * 2)
+    return label_linked(*np.array(pairs).T, len(blocks))
+
+
+def label_linked(first: np.ndarray, second: np.ndarray, count: int) -> np.ndarray:
+    """Label things 0..count-1 so that those linked, `first` to `second` in pairs, have one label."""
+    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(count, count))
     return connected_components(links, directed=False)[1]
 
 

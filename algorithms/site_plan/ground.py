@@ -3,11 +3,9 @@
 import numpy as np
 from numba import njit
 from scipy import ndimage
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ..clouds.tiles import LATTICE, Tile, to_lattice
-from .grid import Grid
+from .grid import Grid, label_linked
 
 CELL = 0.5
 """Edge of a ground cell in metres: wider than most walls are thick, so that ground is seen beside them."""
@@ -139,10 +137,8 @@ def _surfaces(surface: np.ndarray) -> np.ndarray:
         linked = np.abs(surface[one] - surface[other]) <= STEEPEST * CELL
         first.append(number[one][linked])
         second.append(number[other][linked])
-    first, second = np.concatenate(first), np.concatenate(second)
-    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(surface.size,) * 2)
-    labels = connected_components(links, directed=False)[1].reshape(surface.shape) + 1
-    return np.where(np.isfinite(surface), labels, 0)
+    labels = label_linked(np.concatenate(first), np.concatenate(second), surface.size) + 1
+    return np.where(np.isfinite(surface), labels.reshape(surface.shape), 0)
 
 
 def _is_smooth(surface: np.ndarray) -> np.ndarray:

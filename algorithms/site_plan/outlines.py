@@ -14,16 +14,9 @@ CORNER = 3
 """A corner of an outline is real, not a step, if both its sides are at least this many pixels long."""
 
 
-def label_walls(walls: np.ndarray) -> tuple:
-    """Give the walls the numbers 1, 2, ...; pixels connect over edges.
-
-    Returns
-    -------
-    labels : ndarray of int32, shape (rows, columns)
-    count : int
-    """
-    labels, count = ndimage.label(walls)
-    return labels.astype(np.int32), count
+def label_walls(walls: np.ndarray) -> np.ndarray:
+    """Give the walls the numbers 1, 2, ...; pixels connect over edges; int32, shape (rows, columns)."""
+    return ndimage.label(walls)[0].astype(np.int32)
 
 
 def trace_outlines(labels: np.ndarray, transform: Affine) -> dict:

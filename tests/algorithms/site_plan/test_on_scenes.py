@@ -8,7 +8,6 @@ from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
 from ichnograph.algorithms.site_plan.density import density_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.gate import Heights
 from ichnograph.algorithms.site_plan.plan import extract_walls
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
@@ -24,8 +23,7 @@ def scanned(name):
 
 
 def plan_of(image, **parameters):
-    heights = Heights(image.occupied, image.base, image.top, image.ground)
-    return extract_walls(image.density, heights, image.transform, WallParameters(**parameters))
+    return extract_walls(image.density, image.heights, image.transform, WallParameters(**parameters))
 
 
 # Completeness and correctness of the boundary at 10 cm; the docs tell the values at a finer angular step.

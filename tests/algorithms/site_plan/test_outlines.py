@@ -13,7 +13,7 @@ GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
 
 
 def outlines_of(walls, transform=GRID):
-    return trace_outlines(label_walls(walls)[0], transform)
+    return trace_outlines(label_walls(walls), transform)
 
 
 def test_a_rectangle_comes_out_at_its_pixel_edges_at_grid_coordinates():
