@@ -26,13 +26,14 @@ def close_gaps(
     """
     if gap <= 0:
         return walls
-    closed = _closed(walls, gap / pixel_size)
-    if open_ground is None:
-        return _fill_holes(closed, gap / pixel_size, np.zeros(walls.shape, bool))
-    # A single pixel of ground is the foot of the wall; a passage shows more of it.
-    proof = ndimage.binary_opening(open_ground & ~walls, np.ones((2, 2)))
-    joined = ndimage.binary_propagation(walls, np.ones((3, 3)), mask=walls | (closed & ~proof))
-    return _fill_holes(joined, 2 * gap / pixel_size, proof)
+    width = gap / pixel_size
+    proof = np.zeros(walls.shape, bool)
+    if open_ground is not None:
+        # A single pixel of ground is the foot of the wall; a passage shows more of it.
+        proof = ndimage.binary_opening(open_ground & ~walls, np.ones((2, 2)))
+    closed = walls | (_closed(walls, width) & ~proof)
+    joined = ndimage.binary_propagation(walls, np.ones((3, 3)), mask=closed)
+    return _fill_holes(joined, width if open_ground is None else 2 * width, proof)
 
 
 def _closed(walls: np.ndarray, gap: float) -> np.ndarray:

@@ -128,14 +128,19 @@ def extract_wall_pixels(
     )
     gated = np.where(gate.tall, np.nan_to_num(density), 0.0)
     criteria = parameters.criteria(pixel_size)
-    selections = []
+    votes = np.zeros(gated.shape, np.uint8)
+    regions = too_small = wrong_shape = 0
     for i, value in enumerate(thresholds.values):
         progress.update(i / len(thresholds.values), f"Threshold {value:.2f}")
         binary = (gated > 0) & (gated >= value * thresholds.deviation)
-        selections.append(select_regions(binary, pixel_size, criteria, gate.column))
-    votes = np.sum([selection.kept for selection in selections], axis=0, dtype=np.uint8)
+        selection = select_regions(binary, pixel_size, criteria, gate.column)
+        votes += selection.kept
+        regions += selection.regions
+        too_small += selection.too_small
+        wrong_shape += selection.wrong_shape
     if not votes.any():
-        raise NothingFoundError(_what_removed(gate, parameters, criteria, thresholds, selections))
+        removed = (regions, too_small, wrong_shape)
+        raise NothingFoundError(_what_removed(gate, parameters, criteria, thresholds, removed))
     gap = parameters.gap(gate)
     walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
     walls = bridge_corners(walls, gated)
@@ -147,11 +152,9 @@ def _what_removed(
     parameters: WallParameters,
     criteria: Criteria,
     thresholds: Thresholds,
-    selections: list,
+    removed: tuple,
 ) -> str:
-    regions = sum(selection.regions for selection in selections)
-    small = sum(selection.too_small for selection in selections)
-    shape = sum(selection.wrong_shape for selection in selections)
+    regions, small, shape = removed
     if not regions and gate.tall.any():
         return (
             f"No wall found: no pixel of the {int(gate.tall.sum())} that MIN_HEIGHT "

@@ -62,12 +62,12 @@ def describe_walls(
     -------
     tuple of Wall
     """
-    labels, _ = label_walls(image.walls)
+    labels = label_walls(image.walls)
     outlines = trace_outlines(labels, transform)
     walls = []
     for region in regionprops(labels):
+        # Closing adds pixels without votes or density; every wall holds some that have both.
         found = image.votes[region.slice][region.image]
-        found = found[found > 0]
         density = image.gated[region.slice][region.image]
         z_base, z_top = _reach(heights, region)
         kind = _kind(region, image, transform.a)
@@ -81,8 +81,8 @@ def describe_walls(
                 z_top=z_top,
                 height=None if z_base is None else z_top - z_base,
                 azimuth=_azimuth(region) if kind == "straight" else None,
-                density=float(density[density > 0].mean()) if (density > 0).any() else 0.0,
-                votes=int(np.median(found)) if len(found) else 0,
+                density=float(density[density > 0].mean()),
+                votes=int(np.median(found[found > 0])),
             )
         )
     return tuple(walls)
