@@ -8,7 +8,7 @@ from typing import Optional
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.site_plan.density import density_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.layers import read_density, write_density, write_plan, write_walls
+from ichnograph.algorithms.site_plan.layers import write_density, write_plan, write_walls
 from ichnograph.algorithms.site_plan.plan import SitePlan, extract_walls
 
 
@@ -47,9 +47,8 @@ def run_chain(
     density, walls = folder / f"{name}_density.tif", folder / f"{name}_walls.shp"
     image = density_image(open_cloud(clouds), spacing, pixel_size)
     write_density(density, image)
-    raster = read_density(density)
-    plan = extract_walls(raster.density, raster.heights, raster.transform, parameters or WallParameters())
-    write_plan(folder / f"{name}_plan.tif", plan, raster.transform, raster.crs)
-    write_walls(walls, plan, raster.crs)
+    plan = extract_walls(image.density, image.heights, image.transform, parameters or WallParameters())
+    write_plan(folder / f"{name}_plan.tif", plan, image.transform, image.crs)
+    write_walls(walls, plan, image.crs)
     seconds = time.perf_counter() - started
     return Outputs(density, walls, plan, image.points_in, (*image.warnings, *plan.image.warnings), seconds)
