@@ -13,6 +13,9 @@ from shapely.geometry import mapping
 from .errors import InputError
 from .files import atomic_output
 
+UNKNOWN_METRES = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
+"""What a GeoPackage says in place of no system; unsaid, GDAL writes degrees."""
+
 DRIVERS = {".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
 
 
@@ -42,7 +45,8 @@ def write_vector(path: Path, geometry: str, fields: dict, features: Iterable, cr
         raise InputError(f"{path}: cannot write this kind of layer; end the name in .shp or .gpkg.")
     schema = {"geometry": geometry, "properties": fields}
     options = {"encoding": "utf-8"} if driver == "ESRI Shapefile" else {}
-    wkt = crs.to_wkt() if crs else None
+    nowhere = UNKNOWN_METRES if driver == "GPKG" else None
+    wkt = crs.to_wkt() if crs else nowhere
     records = [
         {"geometry": mapping(shape), "properties": {name: values[name] for name in fields}}
         for shape, values in features

@@ -53,3 +53,10 @@ def test_the_journal_of_an_older_geopackage_goes_with_it(tmp_path):
         (tmp_path / f"walls.gpkg{suffix}").write_bytes(b"old")
     write_vector(tmp_path / "walls.gpkg", "Polygon", FIELDS, WALLS, None)
     assert [path.name for path in tmp_path.iterdir()] == ["walls.gpkg"]
+
+
+def test_a_geopackage_without_a_crs_is_not_in_degrees(tmp_path):
+    write_vector(tmp_path / "walls.gpkg", "Polygon", FIELDS, WALLS, None)
+
+    with fiona.open(tmp_path / "walls.gpkg") as layer:
+        assert "Cartesian" in layer.crs_wkt
