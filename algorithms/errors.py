@@ -9,6 +9,23 @@ class InputError(IchnographError):
     """A file or a parameter that cannot be used; the message names it and the remedy."""
 
 
+class MissingPackageError(InputError):
+    """A file that cannot be read without packages that are not installed.
+
+    Parameters
+    ----------
+    what : str
+        The file.
+    modules : tuple of str
+        As they are imported.
+    """
+
+    def __init__(self, what: str, modules: tuple) -> None:
+        super().__init__(f"{what} cannot be read without {' and '.join(modules)}; install what is missing.")
+        self.what = what
+        self.modules = modules
+
+
 class NothingFoundError(IchnographError):
     """The input is sound, but no result remains; the message says which step removed what."""
 

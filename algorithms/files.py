@@ -3,7 +3,7 @@
 import errno
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Union
 
@@ -48,6 +48,30 @@ def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
             _publish(Path(folder), target)
     except OSError as error:
         raise InputError(_explain(target, error)) from error
+
+
+@contextmanager
+def new_folder(path: Path) -> Iterator[None]:
+    """Make a folder unless it is there; if the body raises, it is removed again.
+
+    Raises
+    ------
+    InputError
+        If it cannot be made.
+    """
+    made = not path.is_dir()
+    try:
+        if made:
+            path.mkdir()
+    except OSError as error:
+        raise InputError(_explain(path, error)) from error
+    try:
+        yield
+    except BaseException:
+        if made:
+            with suppress(OSError):
+                path.rmdir()
+        raise
 
 
 def _publish(folder: Path, target: Path) -> None:

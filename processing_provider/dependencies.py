@@ -2,6 +2,7 @@
 
 import sys
 import sysconfig
+from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -19,13 +20,18 @@ PYPI_NAMES = {
 }
 """The modules that are imported, and the packages that bring them."""
 
-NOT_IN_DEBIAN = ("laspy", "lazrs")
+NOT_IN_DEBIAN = ("laspy", "lazrs", "pye57", "pyquaternion")
 """Packages that come from PyPI also where Debian's or Ubuntu's Python is used."""
 
 
 def missing_modules() -> list:
     """Return the modules that the interpreter of QGIS cannot find."""
-    return [module for module in PYPI_NAMES if find_spec(module) is None]
+    return lacking(PYPI_NAMES)
+
+
+def lacking(modules: Iterable) -> list:
+    """Return which of `modules` the interpreter of QGIS cannot find."""
+    return [module for module in modules if find_spec(module) is None]
 
 
 def explain_missing(modules: list) -> str:

@@ -11,7 +11,10 @@ from rasterio.crs import CRS
 from ..errors import InputError
 from ..progress import Progress
 from .crs import horizontal, name_of, require_metres
+from .e57 import E57Source
 from .las import LasSource
+from .ply import PlySource
+from .ptx import PtxSource
 from .source import Chunk, Source
 from .text import TextSource
 
@@ -24,6 +27,9 @@ READERS = {
     ".csv": TextSource.open,
     ".asc": TextSource.open,
     ".pts": TextSource.open,
+    ".e57": E57Source.open,
+    ".ptx": PtxSource.open,
+    ".ply": PlySource.open,
 }
 
 
@@ -64,15 +70,16 @@ class Cloud:
         CancelledError
             If the caller asked to stop.
         """
-        for source, part in self.parts(progress):
+        for source, part in parts(self.sources, progress):
             yield from source.chunks(self.origin, part, size)
 
-    def parts(self, progress: Progress) -> Iterator[tuple[Source, Progress]]:
-        """Yield every source with its part of the progress, in proportion to the bytes."""
-        sizes = [source.path.stat().st_size for source in self.sources]
-        ends = np.cumsum(sizes) / sum(sizes)
-        for source, start, stop in zip(self.sources, [0.0, *ends], ends):
-            yield source, progress.part(start, stop)
+
+def parts(sources: Sequence[Source], progress: Progress) -> Iterator[tuple[Source, Progress]]:
+    """Yield every source with its part of the progress, in proportion to the bytes."""
+    sizes = [source.path.stat().st_size for source in sources]
+    ends = np.cumsum(sizes) / sum(sizes)
+    for source, start, stop in zip(sources, [0.0, *ends], ends):
+        yield source, progress.part(start, stop)
 
 
 def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> Cloud:
@@ -90,14 +97,7 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
         If a file is missing, empty, truncated, of another format than its extension says or
         of an unknown one, or if the coordinates are not metres of one reference system.
     """
-    if not paths:
-        raise InputError("No point cloud was given; choose at least one file.")
-    files = [Path(path) for path in paths]
-    places = [path.resolve() for path in files]
-    repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
-    if repeated:
-        raise InputError(f"{repeated} is given twice; remove it once.")
-    sources = tuple(_open(path) for path in files)
+    sources = open_sources(paths)
     common, warnings = _common_crs(sources, crs)
     middle = sources[0].middle
     return Cloud(
@@ -106,6 +106,18 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
         crs=common,
         warnings=tuple(sentence for source in sources for sentence in source.warnings) + warnings,
     )
+
+
+def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:
+    """Open scan files, each in a coordinate system of its own; see `open_cloud`."""
+    if not paths:
+        raise InputError("No point cloud was given; choose at least one file.")
+    files = [Path(path) for path in paths]
+    places = [path.resolve() for path in files]
+    repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
+    if repeated:
+        raise InputError(f"{repeated} is given twice; remove it once.")
+    return tuple(_open(path) for path in files)
 
 
 def _open(path: Path) -> Source:

@@ -15,7 +15,7 @@ from rasterio.crs import CRS
 from ..errors import InputError
 from ..progress import Progress
 from . import crs as reference_systems
-from .source import Chunk, Source, unreadable
+from .source import Chunk, Source, no_points, unreadable
 
 SAMPLES = 8
 SAMPLE_SIZE = 1000
@@ -62,7 +62,7 @@ class LasSource(Source):
             _check_scales(path, header)
             sample = _sample(path, reader)
             crs, warnings = _read_crs(path, header)
-        xyz = _coordinates(sample, header.scales, header.offsets)
+        xyz = coordinates(sample, header.scales, header.offsets)
         rgb = _colour(sample)
         brightest = 0 if rgb is None else rgb.max()
         return cls(
@@ -84,7 +84,7 @@ class LasSource(Source):
         wanted = Selection.base() | Selection.INTENSITY | Selection.RGB | Selection.Z
         for points in self.records(progress, size, wanted):
             yield Chunk(
-                _coordinates(points, self.scales, self.offsets - origin),
+                coordinates(points, self.scales, self.offsets - origin),
                 points["intensity"].copy() if self.has_intensity else None,
                 self._scaled_colour(points) if self.has_rgb else None,
             )
@@ -175,7 +175,7 @@ def _check_layout(path: Path, stream: BinaryIO) -> None:
     if header_size + 54 * vlrs > data_start or evlr_start + 60 * evlrs > size:
         raise _damaged(path, "its header announces more records than it has room for")
     if count == 0:
-        raise InputError(f"{path} holds no points; leave it out or export it again.")
+        raise no_points(path)
     compressed = kind & 0b1100_0000
     if not compressed and data_start + count * record_size > size:
         raise _damaged(path, f"its header announces {count} points, but it ends before the last")
@@ -251,7 +251,8 @@ def _read(path: Path, reader: laspy.LasReader, count: int) -> np.ndarray:
     return points
 
 
-def _coordinates(points: np.ndarray, scales: np.ndarray, offsets: np.ndarray) -> np.ndarray:
+def coordinates(points: np.ndarray, scales: np.ndarray, offsets: np.ndarray) -> np.ndarray:
+    """Return the coordinates of raw records, shape (n, 3)."""
     xyz = np.empty((len(points), 3))
     for axis, name in enumerate("XYZ"):
         xyz[:, axis] = points[name]

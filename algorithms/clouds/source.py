@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
 
@@ -25,11 +25,14 @@ class Chunk:
         None if the file has none.
     rgb : ndarray of uint16, shape (n, 3), or None
         0..65535; None if the file has no colour.
+    attributes : dict of str to ndarray, shape (n,)
+        What else the points have, by name; see `Source.attributes`.
     """
 
     xyz: np.ndarray
     intensity: Optional[np.ndarray]
     rgb: Optional[np.ndarray]
+    attributes: dict[str, np.ndarray] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,11 @@ class Source(ABC):
     has_intensity: bool
     has_rgb: bool
 
+    @property
+    def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
+        """Names and types of what the chunks carry besides; normals are turned as the points are."""
+        return ()
+
     @abstractmethod
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order, `size` at a time, relative to `origin`.
@@ -75,3 +83,13 @@ def unreadable(path: Path, error: OSError) -> InputError:
     """Return the error for a file that the system does not let us read."""
     reason = error.strerror or error
     return InputError(f"{path} cannot be read ({reason}); check that it exists and may be read.")
+
+
+def truncated(path: Path, detail: str) -> InputError:
+    """Return the error for a file that ends early."""
+    return InputError(f"{path} is truncated, for {detail}; copy or export it again.")
+
+
+def no_points(path: Path) -> InputError:
+    """Return the error for a file that is sound but empty."""
+    return InputError(f"{path} holds no points; leave it out or export it again.")

@@ -2,17 +2,19 @@
 
 import io
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Optional
+from typing import Optional, TextIO
 
 import numpy as np
 import pandas as pd
 
 from ..errors import InputError
 from ..progress import Progress
-from .source import Chunk, Source, unreadable
+from .ranges import to_uint16
+from .source import Chunk, Source, truncated, unreadable
 from .text_layout import Dialect, Layout, is_comment, is_count, sniff
 
 
@@ -55,39 +57,69 @@ class TextSource(Source):
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
+        for _, values in self.records(progress, size):
+            if len(values):
+                yield self._chunk(values, origin)
+
+    def head(self) -> list[str]:
+        """Return the lines before the first point."""
+        with self._stream() as stream:
+            return list(islice(stream, self.layout.preamble))
+
+    def records(self, progress: Progress, size: int) -> Iterator[tuple[list[str], np.ndarray]]:
+        """Yield the lines from the first point on, `size` at a time, and what they hold.
+
+        Yields
+        ------
+        list of str
+            The lines as they stand, also remarks and counts.
+        ndarray of float64, shape (n, used)
+            The used columns of the lines that are points; see `is_point`.
+
+        Raises
+        ------
+        InputError
+            If a line cannot be read, or the file ends early.
+        """
         progress.update(0.0, f"Reading {self.path.name}")
         announced, found = self.layout.announced or 0, 0
         for number, lines, fraction in self._blocks(size):
             values, announced_here = self._parse(lines, number)
             announced += announced_here
             found += len(values)
-            if len(values):
-                yield self._chunk(values, origin)
+            yield lines, values
             progress.update(fraction)
         if found < announced:
-            raise InputError(
-                f"{self.path} is truncated, for it announces {announced} points and holds "
-                f"{found}; copy or export it again."
-            )
+            raise truncated(self.path, f"it announces {announced} points and holds {found}")
+
+    def is_point(self, line: str) -> bool:
+        """Tell whether a line from the first point on is one, and neither a remark nor a count."""
+        return not (is_comment(line) or (self.layout.announced is not None and is_count(line)))
+
+    @contextmanager
+    def _stream(self) -> Iterator[TextIO]:
+        try:
+            # What is not in the encoding survives as it stands, to be written again.
+            with self.path.open(encoding=self.layout.encoding, errors="surrogateescape") as stream:
+                yield stream
+        except OSError as error:
+            raise unreadable(self.path, error) from error
 
     def _blocks(self, size: int) -> Iterator[tuple[int, list[str], float]]:
         """Yield the number of the first line, the lines, and the fraction read so far."""
-        try:
+        with self._stream() as stream:
             length = self.path.stat().st_size
-            with self.path.open(encoding=self.layout.encoding, errors="replace") as stream:
-                number = 1 + len(list(islice(stream, self.layout.preamble)))
-                while lines := list(islice(stream, size)):
-                    yield number, lines, stream.buffer.tell() / length
-                    number += len(lines)
-        except OSError as error:
-            raise unreadable(self.path, error) from error
+            number = 1 + len(list(islice(stream, self.layout.preamble)))
+            while lines := list(islice(stream, size)):
+                yield number, lines, stream.buffer.tell() / length
+                number += len(lines)
 
     def _parse(self, lines: list[str], number: int) -> tuple[np.ndarray, int]:
         """Return the used columns of `lines`, and how many points the lines announce."""
         values, announced = self._table(lines), 0
         if values is None:
             lines, announced = self._regular_lines(lines, number)
-            values = self._table(lines)
+            values = self._table(lines, regular=True)
         if values is None:
             raise InputError(
                 f"{self.path} cannot be read between the lines {number} and "
@@ -95,15 +127,18 @@ class TextSource(Source):
             )
         return values, announced
 
-    def _table(self, lines: list[str]) -> Optional[np.ndarray]:
-        """Return the used columns, shape (n, used), or None if any line is out of the ordinary."""
+    def _table(self, lines: list[str], regular: bool = False) -> Optional[np.ndarray]:
+        """Return the used columns, shape (n, used), or None if any line is out of the ordinary.
+
+        `regular` says that each line is known to have as many fields as it should.
+        """
         dialect, used = self.layout.dialect, self.layout.columns.used
         if not lines:
             return np.empty((0, len(used)))
         by_blanks = dialect.delimiter == " "
         try:
             table = pd.read_csv(
-                io.BytesIO("".join(lines).replace('"', "").encode()),
+                io.BytesIO("".join(lines).replace('"', "").encode(errors="replace")),
                 header=None,
                 sep=r"\s+" if by_blanks else dialect.delimiter,
                 decimal=dialect.decimal,
@@ -116,7 +151,7 @@ class TextSource(Source):
         if table.shape != (len(lines), dialect.width):
             return None
         # A missing last field is how a short line shows when nothing but blanks separates.
-        if by_blanks and table[dialect.width - 1].isna().any():
+        if by_blanks and not regular and table[dialect.width - 1].isna().any():
             return None
         values = table[list(used)].to_numpy()
         return values if np.isfinite(values).all() else None
@@ -131,17 +166,12 @@ class TextSource(Source):
         """
         regular, announced = [], 0
         for position, line in enumerate(lines, start=number):
-            if is_comment(line):
-                continue
-            if self.layout.announced is not None and is_count(line):
-                announced += int(line)
+            if not self.is_point(line):
+                announced += 0 if is_comment(line) else int(line)
                 continue
             problem = _problem(line, self.layout.dialect, self.layout.columns.used)
             if problem and not line.endswith("\n"):
-                raise InputError(
-                    f"{self.path} is truncated, for its last line {position} is cut off; "
-                    "copy or export it again."
-                )
+                raise truncated(self.path, f"its last line {position} is cut off")
             if problem:
                 raise InputError(f"Line {position} of {self.path} {problem}; correct or remove that line.")
             regular.append(line)
@@ -152,9 +182,9 @@ class TextSource(Source):
         intensity = rgb = None
         if self.has_intensity:
             summand, factor = layout.intensity_scale
-            intensity = _to_uint16((values[:, 3] + summand) * factor)
+            intensity = to_uint16((values[:, 3] + summand) * factor)
         if self.has_rgb:
-            rgb = _to_uint16(values[:, -3:] * layout.rgb_factor)
+            rgb = to_uint16(values[:, -3:] * layout.rgb_factor)
         return Chunk(values[:, :3] - origin, intensity, rgb)
 
 
@@ -166,7 +196,3 @@ def _problem(line: str, dialect: Dialect, used: tuple[int, ...]) -> str:
         if not np.isfinite(dialect.number(fields[column])):
             return f"has '{fields[column]}' where a number is expected"
     return ""
-
-
-def _to_uint16(values: np.ndarray) -> np.ndarray:
-    return np.clip(np.rint(values), 0, 65535).astype(np.uint16)

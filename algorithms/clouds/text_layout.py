@@ -1,5 +1,6 @@
 """Find out how a text cloud is written: separator, decimal sign, header and columns."""
 
+import codecs
 import io
 import re
 from collections import Counter
@@ -10,14 +11,21 @@ from typing import Optional
 import numpy as np
 
 from ..errors import InputError
+from .normals import find_normals, simplified
+from .ranges import intensity_scale, rgb_factor
 
 SAMPLE_BYTES = 65536
+BYTE_ORDER_MARKS = {
+    codecs.BOM_UTF8: "utf-8-sig",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
 COMMENTS = ("#", "//", ";")
 NUMBER = re.compile(r"[+-]?((\d+(\.\d*|,\d+)?|[.,]\d+)([eE][+-]?\d+)?|nan|inf(inity)?)", re.IGNORECASE)
 
 COMMA_BLANK = re.compile(r",\s+\S")
 
-# What columns are called, in lower case and free of units, blanks, underscores and hyphens.
+# What columns are called, in the spelling of `simplified`.
 NAMES = {
     "x": ("x", "easting", "east", "e", "rechtswert", "points:0", "xcoordinate", "xcoord"),
     "y": ("y", "northing", "north", "n", "hochwert", "points:1", "ycoordinate", "ycoord"),
@@ -54,6 +62,10 @@ class Dialect:
         """Return the fields of a line."""
         return split(line, self.delimiter)
 
+    def fields(self, line: str) -> list[str]:
+        """Return the fields of a line as they stand; put together by the delimiter, they are the line."""
+        return line.split() if self.delimiter == " " else line.rstrip("\n").split(self.delimiter)
+
     def number(self, field: str) -> float:
         """Return the value of a field, not a number if it is none."""
         return float(field.replace(self.decimal, ".")) if NUMBER.fullmatch(field) else np.nan
@@ -68,15 +80,17 @@ class Columns:
     xyz : tuple of 3 int
     intensity : int or None
     rgb : tuple of 3 int, or None
+    normals : tuple of 3 int, or None
     """
 
     xyz: tuple[int, ...]
     intensity: Optional[int] = None
     rgb: Optional[tuple[int, ...]] = None
+    normals: Optional[tuple[int, ...]] = None
 
     @property
     def used(self) -> tuple[int, ...]:
-        """All columns that are read."""
+        """The columns of which the points of a site are made."""
         intensity = () if self.intensity is None else (self.intensity,)
         return (*self.xyz, *intensity, *(self.rgb or ()))
 
@@ -123,11 +137,11 @@ def sniff(path: Path) -> Layout:
         If the file is not text, holds no points, or can be read in more than one way.
     """
     encoding, lines = _first_lines(path)
-    delimiter, width = _delimiter_and_width(path, lines)
+    delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if _is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
-    names, announced = _read_preamble(path, lines[: numbers[0]], delimiter, width)
-    dialect = Dialect(delimiter, _decimal(path, rows, delimiter, names), width)
+    names, announced = read_preamble(path, lines[: numbers[0]], delimiter, width)
+    dialect = Dialect(delimiter, decimal_sign(path, rows, delimiter, names), width)
     values = np.array([[dialect.number(field) for field in row] for row in rows])
     columns, warnings = (_columns_by_name(names), ()) if names else _columns_by_count(path, rows, values)
     return Layout(
@@ -136,8 +150,12 @@ def sniff(path: Path) -> Layout:
         columns=columns,
         preamble=numbers[0],
         announced=announced,
-        intensity_scale=_intensity_scale(values, columns.intensity, path.suffix.lower() == ".pts"),
-        rgb_factor=_rgb_factor(values, columns.rgb),
+        intensity_scale=(
+            (0.0, 1.0)
+            if columns.intensity is None
+            else intensity_scale(values[:, columns.intensity], path.suffix.lower() == ".pts")
+        ),
+        rgb_factor=rgb_factor(values[:, columns.rgb]) if columns.rgb else 1.0,
         middle=_middle(path, values[:, columns.xyz]),
         warnings=warnings,
     )
@@ -165,8 +183,9 @@ def _first_lines(path: Path) -> tuple[str, list[str]]:
     with path.open("rb") as stream:
         sample = stream.read(SAMPLE_BYTES)
         goes_on = bool(stream.read(1))
-    encoding = "utf-16" if sample[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
-    if encoding == "utf-8-sig" and b"\0" in sample:
+    marks = [name for mark, name in BYTE_ORDER_MARKS.items() if sample.startswith(mark)]
+    encoding = marks[0] if marks else "utf-8"
+    if encoding != "utf-16" and b"\0" in sample:
         raise InputError(f"{path} is not a text file; give it the extension of its format.")
     lines = list(io.StringIO(sample.decode(encoding, errors="replace"), newline=None))
     if lines and lines[0].lower().startswith("ncols"):
@@ -174,7 +193,7 @@ def _first_lines(path: Path) -> tuple[str, list[str]]:
     return encoding, lines[:-1] if goes_on else lines
 
 
-def _delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
+def delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
     """Return what most lines of numbers have in common."""
     shapes = Counter()
     for line in lines:
@@ -201,8 +220,8 @@ def _is_row(line: str, delimiter: str, width: int) -> bool:
     return not is_comment(line) and len(fields) == width and numbers >= 3
 
 
-def _read_preamble(
-    path: Path, lines: list[str], delimiter: str, width: int
+def read_preamble(
+    path: Path, lines: list[str], delimiter: str, width: int, roles: dict[str, tuple] = NAMES
 ) -> tuple[dict[str, int], Optional[int]]:
     """Return the known names with their columns, and the promised number of points."""
     names: dict[str, int] = {}
@@ -212,32 +231,39 @@ def _read_preamble(
         if is_count(line):
             announced = (announced or 0) + int(line)
         elif len(fields) == width:
-            names = _recognise(fields) or names
-        if is_comment(line) or is_count(line):
+            names = _recognise(fields, roles) or names
+        if is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
             continue
         if all(NUMBER.fullmatch(field) for field in fields):
             raise InputError(
                 f"{path} has {len(fields)} columns in line {number} where most lines have "
                 f"{width}; correct or remove that line."
             )
-        if (len(_recognise(fields)) and len(fields) != width) or (len(fields) == width and not names):
+        named = _recognise(fields, roles)
+        if (named and len(fields) != width) or (len(fields) == width and not names):
             raise _unclear_header(path, number, fields, width)
     return names, announced
 
 
-def _recognise(fields: list[str]) -> dict[str, int]:
+def _recognise(fields: list[str], roles: dict[str, tuple]) -> dict[str, int]:
     """Return the column of every known name; nothing unless x, y and z are among them."""
-    keys = [re.sub(r"[\[(].*?[\])]|[\s_-]", "", field.lower()) for field in fields]
+    keys = [simplified(field) for field in fields]
     found = {}
-    for role, aliases in NAMES.items():
+    for role, aliases in roles.items():
         column = next((keys.index(alias) for alias in aliases if alias in keys), None)
         if column is not None:
             found[role] = column
+    found.update(zip(("nx", "ny", "nz"), find_normals(fields) or ()))
     return found if {"x", "y", "z"} <= found.keys() else {}
 
 
+def _speaks_of_degrees(fields: list[str]) -> bool:
+    # A single such word may be prose, as the long wall.
+    return len(DEGREES & {simplified(field) for field in fields}) > 1
+
+
 def _unclear_header(path: Path, number: int, fields: list[str], width: int) -> InputError:
-    if DEGREES & {field.lower() for field in fields}:
+    if DEGREES & {simplified(field) for field in fields}:
         return InputError(
             f"{path} has geographic coordinates in degrees; "
             "reproject it to a projected coordinate reference system in metres."
@@ -248,7 +274,8 @@ def _unclear_header(path: Path, number: int, fields: list[str], width: int) -> I
     )
 
 
-def _decimal(path: Path, rows: list[list[str]], delimiter: str, names: dict[str, int]) -> str:
+def decimal_sign(path: Path, rows: list[list[str]], delimiter: str, names: dict[str, int]) -> str:
+    """Return the sign that `rows` have; `names` are the columns that a header names, if there is one."""
     fields = [field for row in rows for field in row if NUMBER.fullmatch(field)]
     commas = any("," in field for field in fields)
     points = any("." in field for field in fields)
@@ -263,12 +290,16 @@ def _decimal(path: Path, rows: list[list[str]], delimiter: str, names: dict[str,
 
 
 def _columns_by_name(names: dict[str, int]) -> Columns:
-    colour = [names[role] for role in ("red", "green", "blue") if role in names]
     return Columns(
         xyz=(names["x"], names["y"], names["z"]),
         intensity=names.get("intensity"),
-        rgb=tuple(colour) if len(colour) == 3 else None,
+        rgb=_triple(names, "red", "green", "blue"),
+        normals=_triple(names, "nx", "ny", "nz"),
     )
+
+
+def _triple(names: dict[str, int], *roles: str) -> Optional[tuple[int, ...]]:
+    return tuple(names[role] for role in roles) if set(roles) <= names.keys() else None
 
 
 def _columns_by_count(
@@ -309,27 +340,6 @@ def _is_label(rows: list[list[str]], values: np.ndarray, numeric: np.ndarray) ->
 def _look_like_colour(values: np.ndarray) -> bool:
     whole = np.all(values % 1 == 0)
     return bool(whole and values.min() >= 0 and 1 < values.max() <= 65535)
-
-
-def _intensity_scale(values: np.ndarray, column: Optional[int], is_pts: bool) -> tuple[float, float]:
-    if column is None:
-        return 0.0, 1.0
-    low, high = np.nanmin(values[:, column]), np.nanmax(values[:, column])
-    if low >= 0 and high <= 1 and np.any(values[:, column] % 1 > 0):
-        return 0.0, 65535.0
-    if low >= -2048 and high <= 2047 and (is_pts or low < 0):
-        return 2048.0, 65535 / 4095
-    return 0.0, 1.0
-
-
-def _rgb_factor(values: np.ndarray, columns: Optional[tuple[int, ...]]) -> float:
-    if columns is None:
-        return 1.0
-    colour = values[:, columns]
-    brightest = np.nanmax(colour)
-    if brightest <= 1 and np.any(colour % 1 > 0):
-        return 65535.0
-    return 257.0 if brightest <= 255 else 1.0
 
 
 def _middle(path: Path, xyz: np.ndarray) -> np.ndarray:

@@ -3,19 +3,20 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Union
+from typing import Optional, Union
 
 import laspy
 import lazrs
 import numpy as np
 import pandas as pd
 from laspy.vlrs.known import WktCoordinateSystemVlr
+from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
 
 from ..errors import InputError, NothingFoundError
 from ..files import atomic_output
 from ..progress import Progress
-from .cloud import Cloud
+from .cloud import Cloud, parts
 from .las import LasSource, open_reader
 from .source import Chunk
 
@@ -145,19 +146,13 @@ def _extra(point_format: laspy.PointFormat) -> list[tuple]:
 def _copy_records(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) -> int:
     """Write the records as they are, with the header of the first file."""
     first = cloud.sources[0]
-    with open_reader(first.path) as reader:
-        header = reader.header
-    header.vlrs[:] = [record for record in header.vlrs if record.user_id != "copc"]
-    evlrs = [record for record in header.evlrs or [] if record.user_id != "copc"]
-    if header.version < laspy.header.Version(1, 2):
-        header.version = laspy.header.Version(1, 2)
+    header, evlrs = copied_header(first.path)
     if first.crs is None and cloud.crs is not None:
-        evlrs = [record for record in evlrs if record.user_id != "LASF_Projection"]
-        _set_crs(header, cloud.crs)
+        evlrs = replace_crs(header, evlrs, cloud.crs)
     header.scales = _common_scales(cloud)
     start = written = 0
-    with _las_writer(path, header) as writer:
-        for source, part in cloud.parts(progress):
+    with las_writer(path, header) as writer:
+        for source, part in parts(cloud.sources, progress):
             for records in source.records(part, CHUNK_SIZE):
                 points = records[_rows(kept, start, len(records))]
                 start += len(records)
@@ -165,8 +160,30 @@ def _copy_records(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress
                 writer.write_points(laspy.PackedPointRecord(points, writer.header.point_format))
                 written += len(points)
         if evlrs:
-            writer.write_evlrs(laspy.vlrs.vlrlist.VLRList(evlrs))
+            writer.write_evlrs(VLRList(evlrs))
     return written
+
+
+def copied_header(path: Path) -> tuple[laspy.LasHeader, list[laspy.VLR]]:
+    """Return the header of a LAS file for a new one, and the records that follow its points."""
+    with open_reader(path) as reader:
+        header = reader.header
+    header.vlrs[:] = [record for record in header.vlrs if record.user_id != "copc"]
+    if header.version < laspy.header.Version(1, 2):
+        header.version = laspy.header.Version(1, 2)
+    return header, [record for record in header.evlrs or [] if record.user_id != "copc"]
+
+
+def replace_crs(header: laspy.LasHeader, evlrs: list[laspy.VLR], crs: Optional[CRS]) -> list[laspy.VLR]:
+    """Make `crs` the reference system of `header`; return `evlrs` without those that name another."""
+    header.vlrs[:] = [record for record in header.vlrs if record.user_id != "LASF_Projection"]
+    if crs is not None:
+        if header.version < laspy.header.Version(1, 4):
+            header.version = laspy.header.Version(1, 4)
+        header.vlrs.append(WktCoordinateSystemVlr(crs.to_wkt()))
+    # The newer point formats know nothing else than WKT.
+    header.global_encoding.wkt = crs is not None or header.point_format.id >= 6
+    return [record for record in evlrs if record.user_id != "LASF_Projection"]
 
 
 def _write_las(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) -> int:
@@ -176,26 +193,43 @@ def _write_las(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) -
     has_rgb = any(source.has_rgb for source in cloud.sources)
     header = laspy.LasHeader(version="1.4", point_format=7 if has_rgb else 6)
     header.scales, header.offsets = _common_scales(cloud), cloud.origin
-    if cloud.crs is not None:
-        _set_crs(header, cloud.crs)
+    replace_crs(header, [], cloud.crs)
     written = 0
-    with _las_writer(path, header) as writer:
+    with las_writer(path, header) as writer:
         for chunk in _kept_chunks(cloud, kept, progress):
-            points = laspy.PackedPointRecord.zeros(len(chunk.xyz), header.point_format)
-            for axis, name in enumerate("XYZ"):
-                points[name] = _stored(chunk.xyz[:, axis], header.scales[axis], path)
-            points["return_number"] = points["number_of_returns"] = np.ones(len(points), np.uint8)
-            if chunk.intensity is not None:
-                points["intensity"] = chunk.intensity
-            if chunk.rgb is not None:
-                points[["red", "green", "blue"]] = chunk.rgb
-            writer.write_points(points)
-            written += len(points)
+            writer.write_points(las_points(chunk, header, path))
+            written += len(chunk.xyz)
     return written
 
 
+def las_points(chunk: Chunk, header: laspy.LasHeader, path: Path) -> laspy.PackedPointRecord:
+    """Return records with what all formats have in common; the offset of `header` is the chunk's origin.
+
+    Raises
+    ------
+    InputError
+        If a coordinate needs more than 32 bits.
+    """
+    points = laspy.PackedPointRecord.zeros(len(chunk.xyz), header.point_format)
+    for axis, name in enumerate("XYZ"):
+        points[name] = stored(chunk.xyz[:, axis], header.scales[axis], path)
+    points["return_number"] = points["number_of_returns"] = np.ones(len(points), np.uint8)
+    if chunk.intensity is not None:
+        points["intensity"] = chunk.intensity
+    if chunk.rgb is not None:
+        points[["red", "green", "blue"]] = chunk.rgb
+    return points
+
+
 @contextmanager
-def _las_writer(path: Path, header: laspy.LasHeader) -> Iterator[laspy.LasWriter]:
+def las_writer(path: Path, header: laspy.LasHeader) -> Iterator[laspy.LasWriter]:
+    """Open `path` to write points after `header`, compressed if its extension says so.
+
+    Raises
+    ------
+    OSError
+        If the points cannot be written.
+    """
     compress = path.suffix.lower() == ".laz"
     try:
         with (
@@ -205,14 +239,6 @@ def _las_writer(path: Path, header: laspy.LasHeader) -> Iterator[laspy.LasWriter
             yield writer
     except lazrs.LazrsError as error:
         raise OSError(str(error)) from error
-
-
-def _set_crs(header: laspy.LasHeader, crs: CRS) -> None:
-    header.vlrs[:] = [record for record in header.vlrs if record.user_id != "LASF_Projection"]
-    if header.version < laspy.header.Version(1, 4):
-        header.version = laspy.header.Version(1, 4)
-    header.vlrs.append(WktCoordinateSystemVlr(crs.to_wkt()))
-    header.global_encoding.wkt = True
 
 
 def _common_scales(cloud: Cloud) -> np.ndarray:
@@ -233,10 +259,17 @@ def _rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, pat
     for axis, name in enumerate("XYZ"):
         scale, shift = source.scales[axis], source.offsets[axis] - header.offsets[axis]
         if scale != header.scales[axis] or shift:
-            points[name] = _stored(points[name] * scale + shift, header.scales[axis], path)
+            points[name] = stored(points[name] * scale + shift, header.scales[axis], path)
 
 
-def _stored(values: np.ndarray, scale: float, path: Path) -> np.ndarray:
+def stored(values: np.ndarray, scale: float, path: Path) -> np.ndarray:
+    """Return the integers that stand for `values` in a LAS file.
+
+    Raises
+    ------
+    InputError
+        If they need more than 32 bits.
+    """
     whole = np.rint(values / scale)
     if np.any(np.abs(whole) > np.iinfo(np.int32).max):
         raise InputError(

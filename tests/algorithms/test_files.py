@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from ichnograph.algorithms.errors import CancelledError, InputError
-from ichnograph.algorithms.files import atomic_output
+from ichnograph.algorithms.files import atomic_output, new_folder
 
 
 def test_what_is_written_arrives_under_its_name(tmp_path):
@@ -108,3 +108,23 @@ def test_a_folder_in_the_place_of_the_output_is_an_input_error(tmp_path):
     blocked = pytest.raises(InputError, match=r"plan\.tif cannot be written")
     with blocked, atomic_output(tmp_path / "plan.tif") as temporary:
         temporary.write_text("new")
+
+
+def test_a_new_folder_goes_if_what_should_fill_it_fails(tmp_path):
+    with pytest.raises(CancelledError), new_folder(tmp_path / "clouds"):
+        raise CancelledError
+    assert not (tmp_path / "clouds").exists()
+    with new_folder(tmp_path / "clouds"):
+        pass
+    assert (tmp_path / "clouds").is_dir()
+
+
+def test_a_folder_that_was_there_stays(tmp_path):
+    with pytest.raises(CancelledError), new_folder(tmp_path):
+        raise CancelledError
+    assert tmp_path.is_dir()
+
+
+def test_a_folder_that_cannot_be_made_is_an_input_error(tmp_path):
+    with pytest.raises(InputError, match="cannot be written"), new_folder(tmp_path / "a" / "b"):
+        pass

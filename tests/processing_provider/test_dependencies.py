@@ -50,6 +50,25 @@ def test_a_script_is_told_when_it_runs(run, room, without, tmp_path):
     assert str(caught.value) == sentence
 
 
+def test_without_pye57_only_e57_files_are_refused_and_the_remedy_is_told(run, room, monkeypatch, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    for module in ("pye57", "pyquaternion"):
+        monkeypatch.setitem(sys.modules, module, None)
+    monkeypatch.setattr(dependencies, "_is_managed_by_distribution", lambda: True)
+    run("thincloud", INPUT=room, SPACING=1, OUTPUT=str(tmp_path / "thin.las"))
+    scan = tmp_path / "scan.e57"
+    scan.write_bytes(b"ASTM-E57")
+    with pytest.raises(QgsProcessingException) as caught:
+        run("thincloud", INPUT=str(scan), OUTPUT=str(tmp_path / "thin.las"))
+    sentence = str(caught.value)
+    assert sentence.startswith(
+        f"{scan} cannot be read: The Python {VERSION} of QGIS lacks pye57, pyquaternion; run `"
+    )
+    assert "pip install --user --break-system-packages --no-deps pye57 pyquaternion`" in sentence
+    assert "apt" not in sentence
+
+
 def test_a_package_that_is_there_but_broken_is_told(run, monkeypatch, room, tmp_path):
     from qgis.core import QgsProcessingException
 

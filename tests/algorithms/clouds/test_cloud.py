@@ -6,6 +6,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import READERS, open_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
+from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from rasterio.crs import CRS
 
@@ -64,8 +65,8 @@ def test_cancelling_stops(tmp_path):
 
 @pytest.mark.parametrize("extension", READERS)
 def test_extensions_are_known_in_any_case(tmp_path, extension):
-    write = las if extension in (".las", ".laz") else text
-    path = write(tmp_path / f"scan{extension}", FIRST)
+    writers = {".las": las, ".laz": las, ".ptx": write_ptx, ".ply": write_ply, ".e57": write_e57}
+    path = writers.get(extension, text)(tmp_path / f"scan{extension}", FIRST)
     shouting = path.rename(tmp_path / f"SCAN{extension.upper()}")
     assert sum(len(chunk.xyz) for chunk in open_cloud([shouting]).chunks()) == 2
 

@@ -110,6 +110,11 @@ def test_normals_are_not_taken_for_colour(tmp_path):
     assert "have no names and were left out" in TextSource.open(path).warnings[0]
 
 
+def test_normals_that_are_not_known_do_not_matter(tmp_path):
+    path = write(tmp_path, "x y z nx ny nz\n1.5 2.5 3.5 nan nan nan\n4.5 5.5 6.5 0 0 1\n")
+    np.testing.assert_array_equal(read(path)[0], [[1.5, 2.5, 3.5], [4.5, 5.5, 6.5]])
+
+
 def test_leading_names_and_numbers_of_points_are_not_coordinates(tmp_path):
     named = "base_1,667568.278,271801.865,252.176\n1,655738.628,257962.892,117.020\n"
     numbered = "1 1.5 2.25 3.5\n2 4.5 5.25 6.5\n"

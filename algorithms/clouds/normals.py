@@ -1,0 +1,24 @@
+"""Normals of surfaces among the further attributes of points."""
+
+import re
+from collections.abc import Sequence
+from typing import Optional
+
+NAMES = (
+    ("nx", "normalx", "normalsx", "normals:0", "nor:normalx", "scalarnx"),
+    ("ny", "normaly", "normalsy", "normals:1", "nor:normaly", "scalarny"),
+    ("nz", "normalz", "normalsz", "normals:2", "nor:normalz", "scalarnz"),
+)
+"""What the components are called, in the spelling of `simplified`."""
+
+
+def simplified(name: str) -> str:
+    """Return a column's name in lower case, free of units, blanks, underscores and hyphens."""
+    return re.sub(r"[\[(].*?[\])]|[\s_-]", "", name.lower())
+
+
+def find_normals(names: Sequence[str]) -> Optional[tuple[int, int, int]]:
+    """Return where the three components stand among `names`; None if any is missing."""
+    keys = [simplified(name) for name in names]
+    places = [next((keys.index(alias) for alias in aliases if alias in keys), None) for aliases in NAMES]
+    return None if None in places else tuple(places)
