@@ -1,0 +1,1 @@
+"""From unlabelled targets of scans to the transformation of each scan into the control frame."""

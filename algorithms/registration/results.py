@@ -1,0 +1,242 @@
+"""What a registration finds; lengths in metres, angles in degrees, in the control frame."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from rasterio.crs import CRS
+
+from .model import Settings
+
+REGISTERED = "registered"
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A parameter of a transformation.
+
+    Attributes
+    ----------
+    name : str
+        shift_x, shift_y, shift_z, rotation_x, rotation_y, rotation_z or scale.
+    value, std : float
+        Metres, degrees or a ratio. The standard deviation is q_x = sigma0 sqrt(q_kk) (paper, eq. 5).
+    """
+
+    name: str
+    value: float
+    std: float
+
+
+@dataclass(frozen=True)
+class Correspondence:
+    """A target and its control point; arrays have shape (3,), along x, y and z of the control frame.
+
+    Attributes
+    ----------
+    target, control : str
+    surveyed : bool
+        False if the control point was appended from another scan.
+    used : bool
+        False if the target was rejected as an outlier; its redundancy, studentized residual and detectable
+        bias are then nan, and `normalized` is the value that led to the rejection.
+    position : ndarray
+        Of the control point.
+    residual : ndarray
+        v, from the control point to the transformed target.
+    redundancy : ndarray
+        Redundancy numbers, 0..1.
+    normalized : ndarray
+        Baarda's w, by the a priori standard deviation.
+    studentized : ndarray
+        Pope's tau, by the a posteriori one.
+    detectable : ndarray
+        Minimal detectable bias, metres; nan where nothing controls the coordinate.
+    covariance : ndarray, shape (3, 3)
+        Of the transformed target, by the a posteriori standard deviation, square metres.
+    """
+
+    target: str
+    control: str
+    surveyed: bool
+    used: bool
+    position: np.ndarray
+    residual: np.ndarray
+    redundancy: np.ndarray
+    normalized: np.ndarray
+    studentized: np.ndarray
+    detectable: np.ndarray
+    covariance: np.ndarray
+
+    @property
+    def length(self) -> float:
+        """The length of the residual."""
+        return float(np.linalg.norm(self.residual))
+
+
+@dataclass(frozen=True)
+class ScaleTest:
+    """What the targets say about the scale, whether or not the model has one.
+
+    Attributes
+    ----------
+    deviation, std : float
+        m - 1 and its standard deviation, in parts per million.
+    significant : bool
+        Whether the deviation differs from 0, by a t-test.
+    advice : str
+        A sentence.
+    """
+
+    deviation: float
+    std: float
+    significant: bool
+    advice: str
+
+
+@dataclass(frozen=True)
+class GlobalTest:
+    """The chi-square test of an adjustment.
+
+    Attributes
+    ----------
+    sum_of_squares : float
+        v'Pv.
+    redundancy : float
+        n - u; of one scan among several, the sum of its redundancy numbers.
+    sigma0 : float
+        A posteriori over a priori standard deviation, sqrt(v'Pv / (n - u)); nan without redundancy.
+    probability : float
+        To find v'Pv as large or larger when the a priori standard deviations hold; nan without redundancy.
+    """
+
+    sum_of_squares: float
+    redundancy: float
+    sigma0: float
+    probability: float
+
+
+@dataclass(frozen=True)
+class ScanRegistration:
+    """One scan; where `status` is not `REGISTERED`, all that a transformation needs is None or empty.
+
+    Attributes
+    ----------
+    name : str
+    status : str
+        `REGISTERED`, or in a word why not: ambiguous, mirrored, units, tilted, collinear, coincident,
+        too few, too many, chance, no overlap, misfit.
+    reason : str
+        A sentence with the remedy; empty if registered.
+    matrix : ndarray, shape (4, 4), or None
+        From the scan to the control frame.
+    scale : float or None
+    estimates : tuple of Estimate
+    correlations : ndarray, shape (u, u)
+        Of the estimates, in their order.
+    correspondences : tuple of Correspondence
+        In the order of the scan's list.
+    unmatched : tuple of str
+        Targets without a control point, also none of another scan; they were appended to the control points.
+    test : GlobalTest or None
+    scale_test : ScaleTest or None
+    chance : float or None
+        Expected number of accidental matches of so many targets; None when matched by names.
+    round : int or None
+        1 if surveyed points sufficed, 2 if it needed points appended in round 1, and so on.
+    rivals : tuple of dict of str to str
+        Solutions, target to control, as good as each other (if ambiguous).
+    warnings : tuple of str
+    targets : int
+        The number of targets in the list.
+    """
+
+    name: str
+    status: str
+    reason: str
+    targets: int
+    matrix: Optional[np.ndarray] = None
+    scale: Optional[float] = None
+    estimates: tuple[Estimate, ...] = ()
+    correlations: Optional[np.ndarray] = None
+    correspondences: tuple[Correspondence, ...] = ()
+    unmatched: tuple[str, ...] = ()
+    test: Optional[GlobalTest] = None
+    scale_test: Optional[ScaleTest] = None
+    chance: Optional[float] = None
+    round: Optional[int] = None
+    rivals: tuple[dict, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def registered(self) -> bool:
+        """Whether there is a transformation."""
+        return self.status == REGISTERED
+
+
+@dataclass(frozen=True)
+class ControlPoint:
+    """A surveyed point, or one that was appended from scans.
+
+    Attributes
+    ----------
+    name : str
+        Of an appended point, 'scan:target' of the scan that saw it first.
+    position : ndarray, shape (3,)
+    covariance : ndarray, shape (3, 3)
+        By the a priori standard deviations; zero for a surveyed point that is held fixed.
+    origin : str
+        'surveyed', or the name of the scan that saw it first.
+    scans : tuple of str
+        The scans that use it.
+    """
+
+    name: str
+    position: np.ndarray
+    covariance: np.ndarray
+    origin: str
+    scans: tuple[str, ...]
+
+    @property
+    def surveyed(self) -> bool:
+        """Whether the point comes from the control list."""
+        return self.origin == "surveyed"
+
+
+@dataclass(frozen=True)
+class Registration:
+    """All scans of a call.
+
+    Attributes
+    ----------
+    settings : Settings
+    tolerance : float
+        The tolerance that was used for distances between surveyed points, metres.
+    scans : tuple of ScanRegistration
+        In the order they were given.
+    points : tuple of ControlPoint
+        The surveyed points in their order, then the appended ones.
+    test : GlobalTest
+        Of the block adjustment.
+    crs : CRS or None
+    warnings : tuple of str
+    """
+
+    settings: Settings
+    tolerance: float
+    scans: tuple[ScanRegistration, ...]
+    points: tuple[ControlPoint, ...]
+    test: GlobalTest
+    crs: Optional[CRS] = None
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def registered(self) -> tuple[ScanRegistration, ...]:
+        """The scans that have a transformation."""
+        return tuple(scan for scan in self.scans if scan.registered)
+
+    @property
+    def max_residual(self) -> float:
+        """The largest length of a residual of a target that was used; nan without any."""
+        lengths = [item.length for scan in self.registered for item in scan.correspondences if item.used]
+        return max(lengths, default=float("nan"))

@@ -1,0 +1,247 @@
+"""The search for every way to lay the targets of a scan on control points that is as good as the best.
+
+In place of random samples, the seeds are gone through in a fixed order until none can be missing: a solution
+with k of n targets misses n - k, so among the first n - k + 3 targets it has three. Targets in one line do
+not fix a pose, so as many more are taken as the longest line holds.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from scipy.spatial.distance import cdist
+
+from .candidates import Candidates, find_candidates, pruned, seeds
+from .geometry import FLAT, fixes_pose
+from .model import Model
+from .pose import Pose, fit_pose
+from .similar import SimilarTriangles, named_seeds
+from .site import Site
+
+MOST_SOLUTIONS = 48
+"""More equally good ones are not told apart any more."""
+
+BATCH = 20_000
+FITS = 12
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A way to lay targets on control points.
+
+    Attributes
+    ----------
+    labels : ndarray of int, shape (n,)
+        The point of each target, -1 for none.
+    pose : Pose
+    misfit : float
+        Sum of the squared residuals over the variance of a coordinate.
+    """
+
+    labels: np.ndarray
+    pose: Pose
+    misfit: float
+
+    @property
+    def matched(self) -> int:
+        """The number k of targets with a point."""
+        return int((self.labels >= 0).sum())
+
+
+def find_solutions(
+    site: Site,
+    targets: np.ndarray,
+    model: Model,
+    least: int,
+    allowed: np.ndarray,
+    named: bool = False,
+    free_scale: bool = False,
+) -> list[Solution]:
+    """Return all solutions with the largest number of matched targets, the best fitting first.
+
+    Parameters
+    ----------
+    site : Site
+    targets : ndarray, shape (n, 3)
+        Near the origin.
+    model : Model
+    least : int
+        Solutions with fewer targets are not looked for.
+    allowed : ndarray of bool, shape (n, N)
+        Which points a target may be.
+    named : bool
+        Whether that is at most one point for each target.
+    free_scale : bool
+        Whether the scale may be any, not only near 1.
+
+    Returns
+    -------
+    list of Solution
+        Empty if there is none; no more than `MOST_SOLUTIONS`.
+    """
+    search = _Search(site, targets, model, allowed, named, free_scale)
+    if len(targets) < least or len(site.points) < least:
+        return []
+    best = least
+    solutions: list[Solution] = []
+    in_line = search.longest_line()
+    for last, nodes in search.seeds(best):
+        if last > len(targets) - best + in_line:
+            break
+        for start in range(0, len(nodes), BATCH):
+            best, solutions = search.extended(nodes[start : start + BATCH], best, solutions)
+    return sorted(solutions, key=lambda item: (round(item.misfit, 6), item.labels.tolist()))
+
+
+class _Search:
+    def __init__(self, site, targets, model, allowed, named, free_scale) -> None:
+        self.site, self.tree, self.targets, self.model = site, site.tree, targets, model
+        self.allowed, self.named, self.free_scale = allowed, named, free_scale
+        # A seed is laid at the scale 1 if the scale is near it: three targets say little about it.
+        self.seed_model = model if free_scale else (Model.LEVELLED if model.levelled else Model.RIGID)
+        self.size = model.least_targets
+        self.order = np.arange(len(targets))
+
+    def longest_line(self) -> int:
+        """Return the largest number of targets on a line, vertical if levelled; they fix no pose."""
+        near = 2 * self.shortest()
+        if self.model.levelled:
+            return int((cdist(self.targets[:, :2], self.targets[:, :2]) <= near).sum(axis=1).max())
+        first, second = np.triu_indices(len(self.targets), 1)
+        along = self.targets[second] - self.targets[first]
+        along /= np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny)[:, None]
+        arms = self.targets[None, :, :] - self.targets[first][:, None, :]
+        square = (arms**2).sum(axis=2) - np.einsum("pnk,pk->pn", arms, along) ** 2
+        return int((square <= near**2).sum(axis=1).max(initial=1))
+
+    def shortest(self) -> float:
+        """Return how far from a line, in the scan, the corner of a triangle must be to fix a pose."""
+        if self.free_scale:
+            return 2 * FLAT * float(np.ptp(self.targets, axis=0).max(initial=0.0))
+        return 2 * self.site.factor * self.site.sigma
+
+    def seeds(self, least: int) -> Iterator[tuple[int, np.ndarray]]:
+        """Yield, target by target, the sets of nodes that fix a pose and end with it."""
+        count = len(self.site.points)
+        if self.free_scale:
+            yield from self._seeds_of_any_scale()
+            return
+        # First those with few candidates: they are soon through, and what they fix ends the search.
+        found = self._candidates(least)
+        work = np.bincount(np.r_[found.starts, found.ends] // count, minlength=len(self.targets))
+        self._reorder(np.argsort(work, kind="stable"))
+        found = self._candidates(least)
+        for last in range(self.size - 1, len(self.targets)):
+            yield last, seeds(found, last, self.model)
+
+    def _seeds_of_any_scale(self) -> Iterator[tuple[int, np.ndarray]]:
+        triangles = None if self.named else SimilarTriangles(self.site)
+        for last in range(self.size - 1, len(self.targets)):
+            if triangles is None:
+                yield last, named_seeds(self.site, self.targets, last, self.allowed, self.size)
+            else:
+                yield last, triangles.seeds(self.targets, last, len(self.site.points))
+
+    def _candidates(self, least: int) -> Candidates:
+        found = find_candidates(self.site, self.targets, self.allowed, self.model.levelled)
+        return pruned(found, len(self.targets), least)
+
+    def _reorder(self, order: np.ndarray) -> None:
+        self.order, self.targets, self.allowed = order, self.targets[order], self.allowed[order]
+
+    def extended(self, nodes: np.ndarray, best: int, solutions: list[Solution]) -> tuple[int, list[Solution]]:
+        """Lay seeds, and keep the solutions that match at least `best` targets."""
+        count = len(self.site.points)
+        mine, theirs = nodes // count, nodes % count
+        fixing = self._fixes(self.targets[mine])
+        mine, theirs = mine[fixing], theirs[fixing]
+        pose = fit_pose(self.site.points[theirs], self.targets[mine], self.seed_model)
+        scores = self._scores(pose, mine, theirs)
+        while len(scores):
+            top = int(scores.argmax())
+            enough = best if len(solutions) < MOST_SOLUTIONS else best + 1
+            if scores[top] < enough:
+                break
+            solution = self._refined(mine[top], theirs[top])
+            rest = np.ones(len(scores), bool)
+            rest[top] = False
+            if solution is not None and solution.matched >= best:
+                if solution.matched > best:
+                    best, solutions = solution.matched, []
+                if not any(np.array_equal(solution.labels, other.labels) for other in solutions):
+                    solutions = [*solutions, solution]
+                labels = solution.labels[self.order]
+                # Other seeds within this solution lead to it again.
+                rest &= ~(labels[mine] == theirs).all(axis=1)
+            mine, theirs, scores = mine[rest], theirs[rest], scores[rest]
+        return best, solutions
+
+    def _fixes(self, corners: np.ndarray) -> np.ndarray:
+        """Tell which seeds are wide enough to fix a pose."""
+        if self.size == 2:
+            return np.linalg.norm(np.diff(corners[..., :2], axis=1)[:, 0], axis=1) > self.shortest()
+        sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        doubled = np.linalg.norm(
+            np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1
+        )
+        return doubled > self.shortest() * sides.max(axis=1, initial=0.0)
+
+    def _scores(self, pose: Pose, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
+        """Return how many targets come to lie on points, at most."""
+        if not len(mine):
+            return np.zeros(0, int)
+        reach = self.site.reach(self._leverage(pose, mine), theirs)
+        placed = pose.apply(np.broadcast_to(self.targets, (len(mine), *self.targets.shape)))
+        distances, _ = self.tree.query(placed, distance_upper_bound=float(reach.max()))
+        return (distances <= reach).sum(axis=1)
+
+    def _leverage(self, pose: Pose, mine: np.ndarray) -> np.ndarray:
+        """Return the variance that the pose of seeds adds to each target, over that of a coordinate."""
+        arms = pose.turned(self.targets[mine])
+        squares = (arms**2).sum(axis=(-2, -1))
+        all_arms = pose.turned(np.broadcast_to(self.targets, (len(mine), *self.targets.shape)))
+        if self.model.levelled:
+            inertia = (arms[..., :2] ** 2).sum(axis=(-2, -1))
+            far = (all_arms[..., :2] ** 2).sum(axis=-1)
+        else:
+            moments = squares[:, None, None] * np.eye(3) - np.swapaxes(arms, -1, -2) @ arms
+            inertia = np.linalg.eigvalsh(moments)[:, 0]
+            far = (all_arms**2).sum(axis=-1)
+        tiny = np.finfo(float).tiny
+        leverage = 1.0 / mine.shape[1] + far / np.maximum(inertia, tiny)[:, None]
+        if self.free_scale:
+            leverage = leverage + (all_arms**2).sum(axis=-1) / np.maximum(squares, tiny)[:, None]
+        return leverage
+
+    def _refined(self, mine: np.ndarray, theirs: np.ndarray) -> Optional[Solution]:
+        """Let targets join and leave until nothing changes."""
+        labels = np.full(len(self.targets), -1)
+        labels[mine] = theirs
+        pose = fit_pose(self.site.points[theirs], self.targets[mine], self.seed_model)
+        seen = set()
+        while labels.tobytes() not in seen and len(seen) < FITS:
+            seen.add(labels.tobytes())
+            used = np.flatnonzero(labels >= 0)
+            reach = self.site.reach(self._leverage(pose[None], used[None]), labels[used][None])[0]
+            labels = self._nearest(pose, reach)
+            used = np.flatnonzero(labels >= 0)
+            if not fixes_pose(self.targets[used], self.model, self.shortest() / 2):
+                return None
+            model = self.model if len(used) > self.size or self.free_scale else self.seed_model
+            pose = fit_pose(self.site.points[labels[used]], self.targets[used], model)
+        residuals = pose.apply(self.targets[used]) - self.site.points[labels[used]]
+        in_order = np.full(len(labels), -1)
+        in_order[self.order] = labels
+        return Solution(in_order, pose, float((residuals**2).sum()) / self.site.sigma**2)
+
+    def _nearest(self, pose: Pose, reach: np.ndarray) -> np.ndarray:
+        """Return for each target the point within reach that has no nearer target, or -1."""
+        distances = cdist(pose.apply(self.targets), self.site.points)
+        distances[~self.allowed] = np.inf
+        points, distances = distances.argmin(axis=1), distances.min(axis=1)
+        points[distances > reach] = -1
+        for point in np.unique(points[points >= 0]):
+            rivals = np.flatnonzero(points == point)
+            points[np.delete(rivals, distances[rivals].argmin())] = -1
+        return points
