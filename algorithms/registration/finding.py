@@ -31,6 +31,9 @@ class Refusal:
     rivals: tuple[dict, ...] = ()
 
 
+UNEXPLAINED = Refusal("no overlap", "")
+
+
 @dataclass(frozen=True)
 class Found:
     """Which point each target is.
@@ -81,7 +84,9 @@ class Question:
         )
 
 
-def find_scan(scan: PointList, network: Network, settings: Settings) -> Union[Found, Refusal]:
+def find_scan(
+    scan: PointList, network: Network, settings: Settings, explain: bool = True
+) -> Union[Found, Refusal]:
     """Match the targets of a scan with control points.
 
     Parameters
@@ -90,6 +95,8 @@ def find_scan(scan: PointList, network: Network, settings: Settings) -> Union[Fo
         Near the origin.
     network : Network
     settings : Settings
+    explain : bool
+        Whether to find out why nothing matches, which takes several searches.
     """
     question = _question(scan, network, settings)
     refusal = _refuse_list(question)
@@ -104,7 +111,7 @@ def find_scan(scan: PointList, network: Network, settings: Settings) -> Union[Fo
             return _too_few_to_tell(question, chance)
     solutions = question.solutions(targets, model, least)
     if not solutions:
-        return Refusal(*explain_failure(question, least))
+        return Refusal(*explain_failure(question, least)) if explain else UNEXPLAINED
     best = solutions[0]
     # A few in one plane fit though the list is mirrored.
     mirrored = _in_one_plane(question, best) and mirrored_solution(question, best.matched + 1)

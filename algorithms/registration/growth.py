@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from ..progress import Progress
-from .finding import Found, Refusal, find_scan
+from .finding import Found, find_scan
 from .geometry import line_width
 from .model import Matching, Settings
 from .network import Network
@@ -82,22 +82,22 @@ def grow(scans: dict, network: Network, settings: Settings, progress: Progress =
     progress : Progress
     """
     placed: list[Placed] = []
-    refused: dict = {}
     waiting = dict(sorted(scans.items()))
     turn = 0
     while waiting:
         turn += 1
-        results = {}
+        found: dict = {}
         for name, scan in waiting.items():
             progress.update(len(placed) / len(scans), f"Matching {name}")
-            results[name] = find_scan(scan, network, settings)
-        refused = {name: result for name, result in results.items() if isinstance(result, Refusal)}
-        ready = [name for name in waiting if name not in refused]
-        if not ready:
+            result = find_scan(scan, network, settings, explain=False)
+            if isinstance(result, Found):
+                found[name] = result
+        if not found:
             break
-        for name in _well_founded({name: results[name] for name in ready}):
-            scan, network = _place(waiting.pop(name), results[name], network, settings, turn)
+        for name in _well_founded(found):
+            scan, network = _place(waiting.pop(name), found[name], network, settings, turn)
             placed.append(scan)
+    refused = {name: find_scan(scan, network, settings) for name, scan in waiting.items()}
     return Growth(network, tuple(placed), refused)
 
 
@@ -124,11 +124,13 @@ def _place(
         labels[list(more)] = list(more.values())
         fit, network = _fitted(scan.xyz, labels, network, settings)
     rows = np.flatnonzero(labels >= 0)
+    used = rows[fit.used]
     rejected = {int(rows[number]): normalized for number, normalized in fit.rejected.items()}
+    labels[list(rejected)] = -1
     for row, point in _near_misses(scan, fit.pose, labels, network, settings).items():
         labels[row] = point
-        rejected[row] = np.full(3, np.nan)
-    used = np.array([row for row in rows if row not in rejected])
+        rejected.setdefault(row, np.full(3, np.nan))
+    rejected = {row: normalized for row, normalized in rejected.items() if labels[row] >= 0}
     fresh = np.flatnonzero(labels < 0)
     network = _appended(scan, fit, fresh, labels[used], network, settings.sigma)
     labels[fresh] = len(network.names) - len(fresh) + np.arange(len(fresh))

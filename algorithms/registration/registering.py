@@ -46,11 +46,11 @@ def register_scans(
         If the caller asked to stop.
     """
     _check(control, scans, settings)
-    reduced = {scan.name: _reduced(scan) for scan in scans}
-    own, origin = _reduced(control)
-    frames = Frames(origin, {name: start for name, (_, start) in reduced.items()})
+    near = {scan.name: reduced(scan) for scan in scans}
+    own, origin = reduced(control)
+    frames = Frames(origin, {name: start for name, (_, start) in near.items()})
     network = Network.of_surveyed(own.names, own.xyz, settings.control_sigma)
-    lists = {name: scan for name, (scan, _) in reduced.items()}
+    lists = {name: scan for name, (scan, _) in near.items()}
     growth = grow(lists, network, settings, progress.part(0.0, 0.9))
     factor = factor_of(settings.tolerance, settings.sigma, settings.control_sigma)
     registration = Registration(
@@ -92,7 +92,7 @@ def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -
         raise InputError("No list of targets was given; choose at least one.")
 
 
-def _reduced(points: PointList) -> tuple[PointList, np.ndarray]:
+def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
     """Return the list near the origin, in an order of its own, and what was taken off its coordinates."""
     # Whole metres, so that taking them off rounds nothing.
     origin = np.round(points.xyz.mean(axis=0))

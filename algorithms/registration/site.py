@@ -1,6 +1,7 @@
 """The control points as the search for matches knows them."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Optional
 
 import numpy as np
@@ -46,17 +47,17 @@ class Site:
     factor: float
     drift: float = 0.0
 
-    @property
+    @cached_property
     def tree(self) -> cKDTree:
         """The points, to be asked for the nearest."""
         return cKDTree(self.points)
 
-    @property
+    @cached_property
     def distances(self) -> np.ndarray:
         """Between all points, shape (N, N)."""
         return cdist(self.points, self.points)
 
-    @property
+    @cached_property
     def limits(self) -> np.ndarray:
         """How far distances of targets may differ from those of points, eps_t of the paper; shape (N, N)."""
         return self.factor * np.sqrt(2 * self.sigma**2 + self.variances)
