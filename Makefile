@@ -5,11 +5,17 @@ RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscree
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
 
+# Small matrices are slower on several threads.
+RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)
+RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu OPENBLAS_NUM_THREADS=1 \
+	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
+
 .PHONY: help setup demo test lint accuracy benchmark figure2 real package test-matrix
+.PHONY: registration registration-chain registration-peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
 help:  ## Show this list
-	@sed -n 's/^\([a-z-]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
+	@sed -n 's/^\([a-z-]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
 
 setup: .packages/installed .plugins/ichnograph  ## Install what is missing (Debian, Ubuntu), here and from apt
 
@@ -20,6 +26,8 @@ distribution:
 .packages/installed: requirements.txt | distribution
 	@# All else comes from the distribution, with the one GDAL and numpy that QGIS has.
 	$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps $$(grep -E '^(laspy|lazrs)' requirements.txt)
+	@# Only E57 files need these, and not every machine has a wheel of them.
+	-$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps --only-binary :all: pye57 pyquaternion
 	@touch $@
 
 .plugins/ichnograph:
@@ -62,6 +70,31 @@ figure2: setup  ## Remake the figure 2 of the paper: point spacing against pixel
 
 real: setup  ## Make the plans of the real scans in ../shared/data
 	$(RUN) -m ichnograph.benchmarks.real_clouds
+
+registration: setup  ## Print how surely targets are matched, beside the peers that are installed
+	$(RUN_PEERS) -m ichnograph.benchmarks.registration
+
+registration-peers: .peers/installed  ## Install the tools that registration is compared with, here
+
+.peers/installed: | distribution
+	@# One by one, for not every system has all of them; numpy stays that of the distribution.
+	mkdir -p .peers
+	for peer in open3d-cpu kiss-matcher cliquematch; do \
+		$(PYTHON) -m pip install --quiet --upgrade --target .peers --no-deps $$peer || true; \
+	done
+	@# What open3d needs to be imported.
+	$(PYTHON) -m pip install --quiet --upgrade --target .peers dash configargparse
+	cd .peers && apt-get download -qq libusb-1.0-0 && dpkg -x libusb-1.0-0_*.deb . && rm libusb-1.0-0_*.deb
+	@touch $@
+
+registration-statistics: setup  ## Print whether confidence regions and tests keep what they promise
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_statistics
+
+registration-figure: setup  ## Remake the figure 9 of the paper: five points of a list of a hundred
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_figure
+
+registration-chain: setup  ## Print whether errors at the end of a chain of scans are as predicted
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_chain
 
 package:  ## Zip the last commit as QGIS installs it
 	@mkdir -p build

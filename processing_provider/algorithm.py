@@ -5,7 +5,7 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from qgis.core import (
@@ -16,12 +16,11 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ..algorithms.errors import IchnographError
-from ..algorithms.files import atomic_output
-from .dependencies import explain_broken, explain_missing, missing_modules
+from ..algorithms.errors import IchnographError, InputError, MissingPackageError
+from ..algorithms.files import atomic_output, new_folder
+from .dependencies import explain_broken, explain_missing, lacking, missing_modules
 from .destinations import check_outputs
 from .log import Log
-from .parameters import CloudFiles, RasterFile
 from .styles import MARK, show_when_loaded, style_of
 
 ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
@@ -35,13 +34,17 @@ class Outcome:
     Attributes
     ----------
     writers : dict of str to callable(Path)
-        For every destination by name, what writes its file.
+        For every destination by name, what writes its file; for a folder, another such dictionary with
+        the names of the files.
     numbers : dict of str to float
-        Values of the numeric outputs.
+        Values of the numeric outputs, once all files are written.
+    styles : dict of str to dict
+        For destinations by name, what their styles leave open.
     """
 
     writers: dict
     numbers: dict
+    styles: dict = field(default_factory=dict)
 
 
 class Algorithm(QgsProcessingAlgorithm):
@@ -132,9 +135,10 @@ class Algorithm(QgsProcessingAlgorithm):
             values = self._values(parameters, context)
             files = {output: output.value(self, parameters, context) for output in self.destinations}
             files = {output: path for output, path in files.items() if path}
-            check_outputs(files, self._sources(values))
+            sources = self._sources(values)
+            check_outputs(files, sources)
             outcome = self.compute(values, log)
-            styles = _write(files, outcome.writers)
+            styles = _write(files, outcome, sources)
         show_when_loaded(styles, context)
         return {**outcome.numbers, **{output.name: str(path) for output, path in files.items()}}
 
@@ -147,26 +151,34 @@ class Algorithm(QgsProcessingAlgorithm):
         return [f"{name} is no parameter of {self.key}, so it has no effect." for name in unknown]
 
     def _sources(self, values: dict) -> list:
-        clouds = [values[item.name] for item in self.inputs if isinstance(item, CloudFiles)]
-        rasters = [values[item.name] for item in self.inputs if isinstance(item, RasterFile)]
-        return [path for paths in clouds for path in paths] + rasters
+        return [path for item in self.inputs for path in item.sources(values[item.name])]
 
 
-def _write(files: dict, writers: dict) -> dict:
+def _write(files: dict, outcome: Outcome, sources: list) -> dict:
     """Write all files with their styles, or none; return the styles by path."""
     styles = {}
     # Layers that share their name but for the extension would share the style beside them.
-    stems = [path.with_suffix("") for path in files.values()]
+    stems = [path.with_suffix("") for output, path in files.items() if output.style]
+    read = {Path(source).resolve() for source in sources}
+    jobs = [
+        (output, path, write)
+        for output, place in files.items()
+        for path, write in output.files(place, outcome.writers[output.name]).items()
+    ]
+    for output, path, _ in jobs:
+        if path.resolve() in read:
+            raise InputError(f"{output.name}: {path} is an input as well; choose another folder.")
     with ExitStack() as stack:
-        for output, path in files.items():
+        for output, path, write in jobs:
+            stack.enter_context(new_folder(path.parent))
             temporary = stack.enter_context(atomic_output(path))
             try:
-                writers[output.name](temporary)
+                write(temporary)
             except IchnographError as error:
                 # The user knows the file by its final name.
                 raise type(error)(str(error).replace(str(temporary), str(path))) from error
             if output.style:
-                styles[path] = style_of(output.style, temporary)
+                styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
                 if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
                     temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
     return styles
@@ -182,6 +194,9 @@ def _plain_errors() -> Iterator[None]:
     """Turn the exceptions of the core into the one of QGIS, which is shown as a sentence."""
     try:
         yield
+    except MissingPackageError as error:
+        sentence = explain_missing(lacking(error.modules))
+        raise QgsProcessingException(f"{error.what} cannot be read: {sentence}") from error
     except IchnographError as error:
         raise QgsProcessingException(str(error)) from error
     except ImportError as error:

@@ -10,6 +10,7 @@ from typing import Optional
 from qgis.core import (
     QgsProcessing,
     QgsProcessingParameterFileDestination,
+    QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterVectorDestination,
 )
@@ -37,6 +38,24 @@ class Destination(Parameter):
     @abstractmethod
     def extensions(self) -> tuple:
         """Endings that can be written."""
+
+    def files(self, path: Path, writer) -> dict:
+        """Return what writes each file of this output, by path."""
+        return {path: writer}
+
+    def check(self, path: Path) -> None:
+        """Refuse a path that cannot be written; see `check_outputs`."""
+        if path.suffix not in self.extensions or path.name.endswith(".copc.laz"):
+            endings = " or ".join(self.extensions)
+            case = ", in lower case" if path.suffix.lower() in self.extensions else ""
+            raise InputError(f"{self.name} {path} cannot be written; end the name in {endings}{case}.")
+        self._check_place(path)
+        if path.is_dir() or not _is_writable(path.parent):
+            raise InputError(f"{self.name} {path} cannot be written; choose another name or folder.")
+
+    def _check_place(self, path: Path) -> None:
+        if not path.parent.is_dir():
+            raise InputError(f"{self.name} {path}: there is no folder {path.parent}; create it first.")
 
     def value(self, algorithm, parameters, context) -> Optional[Path]:
         """Return the path; None if the user does without the file.
@@ -67,34 +86,97 @@ class RasterDestination(Destination):
 
 
 @dataclass(frozen=True)
-class PolygonDestination(Destination):
-    """A GeoPackage or shapefile of polygons."""
+class VectorDestination(Destination):
+    """A GeoPackage or shapefile; a subclass says of which geometry."""
 
     extensions = (".gpkg", ".shp")
+    geometry = QgsProcessing.SourceType.TypeVectorAnyGeometry
 
     def _definition(self) -> QgsProcessingParameterVectorDestination:
         return QgsProcessingParameterVectorDestination(
-            self.name,
-            self.description,
-            QgsProcessing.SourceType.TypeVectorPolygon,
-            optional=self.optional,
-            createByDefault=True,
+            self.name, self.description, self.geometry, optional=self.optional, createByDefault=True
         )
 
 
 @dataclass(frozen=True)
-class CloudDestination(Destination):
-    """A point cloud."""
+class PolygonDestination(VectorDestination):
+    """A GeoPackage or shapefile of polygons."""
 
-    extensions = (".laz", ".las", ".xyz", ".csv", ".txt")
+    geometry = QgsProcessing.SourceType.TypeVectorPolygon
+
+
+@dataclass(frozen=True)
+class PointDestination(VectorDestination):
+    """A GeoPackage or shapefile of points."""
+
+    geometry = QgsProcessing.SourceType.TypeVectorPoint
+
+
+@dataclass(frozen=True)
+class FileDestination(Destination):
+    """A file that is no layer; a subclass says of which kind."""
+
+    filters = ""
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         return QgsProcessingParameterFileDestination(
-            self.name,
-            self.description,
-            "LAZ files (*.laz);;LAS files (*.las);;Text (*.xyz *.txt);;CSV (*.csv)",
-            optional=self.optional,
+            self.name, self.description, self.filters, optional=self.optional, createByDefault=True
         )
+
+    def _path(self, algorithm, parameters, context) -> str:
+        return algorithm.parameterAsFileOutput(parameters, self.name, context)
+
+
+@dataclass(frozen=True)
+class CloudDestination(FileDestination):
+    """A point cloud."""
+
+    extensions = (".laz", ".las", ".xyz", ".csv", ".txt")
+    filters = "LAZ files (*.laz);;LAS files (*.las);;Text (*.xyz *.txt);;CSV (*.csv)"
+
+
+@dataclass(frozen=True)
+class JsonDestination(FileDestination):
+    """A json file."""
+
+    extensions = (".json",)
+    filters = "JSON files (*.json)"
+
+
+@dataclass(frozen=True)
+class TableDestination(FileDestination):
+    """A table."""
+
+    extensions = (".csv",)
+    filters = "CSV files (*.csv)"
+
+
+@dataclass(frozen=True)
+class HtmlDestination(FileDestination):
+    """A page, which QGIS lists in its results viewer."""
+
+    extensions = (".html", ".htm")
+    filters = "HTML files (*.html *.htm)"
+
+
+@dataclass(frozen=True)
+class FolderDestination(Destination):
+    """A folder of files; it is made if only itself is missing."""
+
+    extensions = ()
+
+    def _definition(self) -> QgsProcessingParameterFolderDestination:
+        return QgsProcessingParameterFolderDestination(self.name, self.description, optional=self.optional)
+
+    def files(self, path: Path, writer: dict) -> dict:
+        """Return what writes each file of the folder; `writer` holds it by the name of the file."""
+        return {path / name: write for name, write in writer.items()}
+
+    def check(self, path: Path) -> None:
+        """Refuse a folder that cannot be made or written to."""
+        self._check_place(path)
+        if path.is_file() or not _is_writable(path if path.is_dir() else path.parent):
+            raise InputError(f"{self.name} {path} cannot be written to; choose another folder.")
 
     def _path(self, algorithm, parameters, context) -> str:
         return algorithm.parameterAsFileOutput(parameters, self.name, context)
@@ -118,14 +200,7 @@ def check_outputs(outputs: dict, sources: Iterable) -> None:
     """
     taken = {Path(source).resolve(): "an input" for source in sources}
     for output, path in outputs.items():
-        if path.suffix not in output.extensions or path.name.endswith(".copc.laz"):
-            endings = " or ".join(output.extensions)
-            case = ", in lower case" if path.suffix.lower() in output.extensions else ""
-            raise InputError(f"{output.name} {path} cannot be written; end the name in {endings}{case}.")
-        if not path.parent.is_dir():
-            raise InputError(f"{output.name} {path}: there is no folder {path.parent}; create it first.")
-        if path.is_dir() or not _is_writable(path.parent):
-            raise InputError(f"{output.name} {path} cannot be written; choose another name or folder.")
+        output.check(path)
         other = taken.setdefault(path.resolve(), output.name)
         if other != output.name:
             raise InputError(f"{output.name} {path} is {other} as well; choose another name.")

@@ -20,6 +20,8 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFile,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
@@ -73,6 +75,10 @@ class Parameter(ABC):
     def value(self, algorithm: QgsProcessingAlgorithm, parameters: dict, context: QgsProcessingContext):
         """Return the value of this parameter among `parameters`, or raise `InputError`."""
 
+    def sources(self, value) -> list:
+        """Return the files that a value stands for, which no output may replace."""
+        return []
+
 
 @dataclass(frozen=True)
 class Number(Parameter):
@@ -84,6 +90,7 @@ class Number(Parameter):
     maximum: float = sys.float_info.max
     whole: bool = False
     advanced: bool = False
+    decimals: int = 3
 
     @property
     def description(self) -> str:
@@ -105,7 +112,7 @@ class Number(Parameter):
             self.minimum,
             min(self.maximum, 2**31 - 1) if self.whole else self.maximum,
         )
-        definition.setMetadata({"widget_wrapper": {"decimals": 3}})
+        definition.setMetadata({"widget_wrapper": {"decimals": self.decimals}})
         if self.advanced:
             advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
             definition.setFlags(definition.flags() | advanced)
@@ -132,6 +139,32 @@ class Number(Parameter):
 
 
 @dataclass(frozen=True)
+class Choice(Parameter):
+    """One of several options, by its number from 0; the first is the default."""
+
+    options: tuple
+
+    @property
+    def explanation(self) -> str:
+        numbered = "; ".join(f"{number} {option}" for number, option in enumerate(self.options))
+        return f"{self.help} {numbered}. Default 0."
+
+    def _definition(self) -> QgsProcessingParameterEnum:
+        return QgsProcessingParameterEnum(
+            self.name, self.description, list(self.options), allowMultiple=False, defaultValue=0
+        )
+
+    def value(self, algorithm, parameters, context) -> int:
+        # As a string, for QGIS takes what it does not know for the default.
+        text = algorithm.parameterAsString(parameters, self.name, context).strip()
+        numbers = {str(number): number for number in range(len(self.options))}
+        if text and text not in numbers:
+            choices = " or ".join(f"{number} ({option})" for number, option in enumerate(self.options))
+            raise InputError(f"{self.name} must be {choices}, not {text}.")
+        return numbers.get(text, 0)
+
+
+@dataclass(frozen=True)
 class CloudFiles(Parameter):
     """One or more point cloud files."""
 
@@ -144,6 +177,9 @@ class CloudFiles(Parameter):
         if not files:
             raise InputError(f"{self.name} is empty; choose at least one point cloud file.")
         return files
+
+    def sources(self, value) -> list:
+        return value
 
 
 @dataclass(frozen=True)
@@ -161,6 +197,27 @@ class RasterFile(Parameter):
         if not text:
             raise InputError(f"{self.name} is empty; choose a raster.")
         return _source(text, context)
+
+    def sources(self, value) -> list:
+        return [value]
+
+
+@dataclass(frozen=True)
+class JsonFile(Parameter):
+    """A json file."""
+
+    def _definition(self) -> QgsProcessingParameterFile:
+        json = "JSON files (*.json);;All files (*)"
+        return QgsProcessingParameterFile(self.name, self.description, fileFilter=json)
+
+    def value(self, algorithm, parameters, context) -> str:
+        path = algorithm.parameterAsFile(parameters, self.name, context).strip()
+        if not path:
+            raise InputError(f"{self.name} is empty; choose a json file.")
+        return path
+
+    def sources(self, value) -> list:
+        return [value]
 
 
 @dataclass(frozen=True)

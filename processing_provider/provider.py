@@ -8,8 +8,11 @@ from qgis.PyQt.QtGui import QIcon
 from .algorithm import ICON
 from .density_image import DensityImageAlgorithm
 from .extract_walls import ExtractWallsAlgorithm
+from .register_scans import RegisterScansAlgorithm
+from .simulate_registration import SimulateRegistrationAlgorithm
 from .site_plan import SitePlanAlgorithm
 from .thin_cloud import ThinCloudAlgorithm
+from .transform_cloud import TransformCloudAlgorithm
 
 
 class Provider(QgsProcessingProvider):
@@ -45,5 +48,8 @@ class Provider(QgsProcessingProvider):
             DensityImageAlgorithm,
             ExtractWallsAlgorithm,
             ThinCloudAlgorithm,
+            TransformCloudAlgorithm,
+            RegisterScansAlgorithm,
+            SimulateRegistrationAlgorithm,
         ):
             self.addAlgorithm(algorithm())

@@ -20,19 +20,25 @@ STRETCH = 2.0
 """Standard deviations of a band on either side of its mean that the grey values span."""
 
 
-def style_of(name: str, file: Path) -> str:
-    """Return the style `name` as QML, for a layer that was written to `file`."""
-    template = Template((STYLES / f"{name}.qml").read_text(encoding="utf-8"))
-    if "$minimum" not in template.template:
-        return template.template
+def style_of(name: str, file: Path, values: dict) -> str:
+    """Return the style `name` as QML, for a layer that was written to `file`.
+
+    What the style leaves open, as $name, comes from `values` or, for a raster, from the file.
+    """
+    style = (STYLES / f"{name}.qml").read_text(encoding="utf-8")
+    return Template(style).substitute(values if "$minimum" not in style else _stretch(file))
+
+
+def _stretch(file: Path) -> dict:
+    """Return between which values the grey values of a raster span."""
     options = QgsRasterLayer.LayerOptions()
     options.loadDefaultStyle = False
     layer = QgsRasterLayer(str(file), "", "gdal", options)
     band = layer.dataProvider().bandStatistics(1)
-    return template.substitute(
-        minimum=max(band.minimumValue, band.mean - STRETCH * band.stdDev),
-        maximum=min(band.maximumValue, band.mean + STRETCH * band.stdDev),
-    )
+    return {
+        "minimum": max(band.minimumValue, band.mean - STRETCH * band.stdDev),
+        "maximum": min(band.maximumValue, band.mean + STRETCH * band.stdDev),
+    }
 
 
 def show_when_loaded(styles: dict, context: QgsProcessingContext) -> None:

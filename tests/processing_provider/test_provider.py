@@ -18,11 +18,28 @@ NUMBERS = {
     "THRESHOLD_STEPS": 10,
     "THRESHOLD_MAX": None,
 }
+SIMULATION = {"TARGETS_PER_SCAN": 5, "SCALE_PPM": 10, "TRIALS": 1000, "SEED": 1, "REACH": None}
+DEFAULTS = {**NUMBERS, **SIMULATION, "SIGMA": 0.003, "CONTROL_SIGMA": 0, "TOLERANCE": None}
 WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
 WALL_NUMBERS = {"WALL_COUNT", "WALL_AREA", "WALL_LENGTH"}
+REGISTRATION_FILES = {"TRANSFORMS", "RESIDUALS", "CONTROL_OUT", "REPORT"}
 
 CONTRACT = {
     "thincloud": ({"INPUT", "SPACING", "OUTPUT"}, {"OUTPUT", "POINTS_IN", "POINTS_OUT"}),
+    "transformcloud": (
+        {"INPUT", "TRANSFORMS", "OUTPUT_FOLDER"},
+        {"OUTPUT_FOLDER", "SCANS_TRANSFORMED", "POINTS"},
+    ),
+    "registerscans": (
+        {"CONTROL", "TARGETS", "MATCHING", "SIGMA", "CONTROL_SIGMA", "TOLERANCE", "MODEL", "CRS"}
+        | REGISTRATION_FILES,
+        {"SCANS_REGISTERED", "SIGMA0", "MAX_RESIDUAL"} | REGISTRATION_FILES,
+    ),
+    "simulateregistration": (
+        {"CONTROL", "TARGETS_PER_SCAN", "SIGMA", "SCALE_PPM", "TRIALS", "SEED", "MODEL", "REACH"}
+        | {"TABLE", "REPORT"},
+        {"TABLE", "REPORT", "SUCCESS_RATE"},
+    ),
     "densityimage": (
         {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY"},
         {"DENSITY", "POINTS_IN", "POINTS_KEPT"},
@@ -55,7 +72,7 @@ def test_defaults_are_those_of_the_contract(algorithm):
     numbers = [item for item in algorithm.parameterDefinitions() if item.type() == "number"]
 
     assert {item.name(): item.defaultValue() for item in numbers} == {
-        item.name(): NUMBERS[item.name()] for item in numbers
+        item.name(): DEFAULTS[item.name()] for item in numbers
     }
 
 
@@ -77,7 +94,7 @@ def test_help_is_plain_text_that_tells_all_parameters(algorithm):
 def test_every_algorithm_can_be_found_and_looked_up(algorithm):
     assert algorithm.displayName()[0].isupper()
     assert algorithm.shortDescription().endswith(".")
-    assert algorithm.group() in ("Site plan", "Clouds")
+    assert algorithm.group() in ("Site plan", "Clouds", "Registration")
     assert len(algorithm.tags()) > 3
     assert algorithm.helpUrl().endswith(f"/docs/{algorithm.name()}.md")
     assert Path(algorithm.svgIconPath()).is_file()
