@@ -39,15 +39,21 @@ distribution:
 	.tools/bin/pip install --quiet $(TOOLS)
 	@touch $@
 
-demo: setup  ## Simulate a scan of ruins and make its site plan
-	@mkdir -p $(DEMO)
-	$(RUN) -m ichnograph.tests.scenes ruins $(DEMO)/ruins.laz --angular-step 0.2 --crs EPSG:25833 \
+demo: setup  ## Simulate scans of ruins as they come from the field, register them and make the site plan
+	@rm -rf $(DEMO) && mkdir -p $(DEMO)
+	$(RUN) -m ichnograph.tests.scenes ruins $(DEMO)/scan.laz --angular-step 0.2 --survey $(DEMO)/control.txt \
 		--move 12 412345.6 5812345.7 71.3
-	scripts/qgis_process run ichnograph:siteplan -- INPUT=$(DEMO)/ruins.laz \
+	scripts/qgis_process run ichnograph:registerscans -- CONTROL=$(DEMO)/control.txt CRS=EPSG:25833 \
+		$$(printf 'TARGETS=%s ' $(DEMO)/scan_*.txt) TRANSFORMS=$(DEMO)/transforms.json \
+		RESIDUALS=$(DEMO)/residuals.shp CONTROL_OUT=$(DEMO)/control_out.shp REPORT=$(DEMO)/registration.html
+	scripts/qgis_process run ichnograph:transformcloud -- $$(printf 'INPUT=%s ' $(DEMO)/scan_*.laz) \
+		TRANSFORMS=$(DEMO)/transforms.json OUTPUT_FOLDER=$(DEMO)/registered
+	scripts/qgis_process run ichnograph:siteplan -- $$(printf 'INPUT=%s ' $(DEMO)/registered/*.laz) \
 		DENSITY=$(DEMO)/density.tif PLAN=$(DEMO)/plan.tif WALLS=$(DEMO)/walls.shp
 	$(RUN) scripts/picture.py $(DEMO)/density.tif $(DEMO)/walls.shp $(DEMO)/siteplan.png
 	@echo
-	@echo "The layers are in $(DEMO): density.tif, plan.tif, walls.shp; a picture of them is siteplan.png."
+	@echo "In $(DEMO): density.tif, plan.tif, walls.shp and a picture of them, siteplan.png;"
+	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration."
 
 test: setup lint  ## Check the style and run all tests
 	$(RUN) -m pytest

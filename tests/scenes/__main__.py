@@ -1,9 +1,12 @@
 """Write a simulated scan as LAZ, and the true walls beside it.
 
 python3 -m ichnograph.tests.scenes ruins out.laz --angular-step 0.2 --truth walls.geojson
+
+With --survey, every station is a file in its own frame with a list of targets, as it comes from the field.
 """
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 from typing import Optional
 
@@ -12,7 +15,8 @@ import laspy
 import numpy as np
 from shapely.geometry import MultiPolygon, mapping
 
-from . import SCENES, Scan
+from . import SCENES, Scan, Scene
+from .survey import in_frame, survey
 
 DRIVERS = {".geojson": "GeoJSON", ".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
 
@@ -43,6 +47,22 @@ def write_truth(path: Path, truth: MultiPolygon, crs: Optional[str]) -> None:
             layer.write({"geometry": mapping(wall), "properties": {"wall_id": number}})
 
 
+def write_survey(arguments: argparse.Namespace, scene: Scene, scan: Scan) -> None:
+    """Write the control points, and for every station its points and its targets in its own frame."""
+    lists = survey(scene, scan, seed=arguments.seed)
+    rows = [f"{name} {x:.4f} {y:.4f} {z:.4f}" for name, (x, y, z) in lists.control.items()]
+    arguments.survey.write_text("\n".join(["name x y z", *rows, ""]))
+    for station, (frame, picked) in enumerate(zip(lists.frames, lists.picked)):
+        path = _numbered(arguments.output, station)
+        own = replace(scan, points=in_frame(frame, scan.points))
+        write_laz(path, own, scan.station == station, None)
+        np.savetxt(path.with_suffix(".txt"), picked, fmt="%.4f")
+
+
+def _numbered(path: Path, station: int) -> Path:
+    return path.with_name(f"{path.stem}_{station + 1:02d}{path.suffix}")
+
+
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="ichnograph.tests.scenes", description=__doc__)
     parser.add_argument("scene", choices=sorted(SCENES))
@@ -52,6 +72,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="of the scene and of the scan")
     parser.add_argument("--move", type=float, nargs=4, metavar=("ANGLE", "X", "Y", "Z"), default=(0, 0, 0, 0))
     parser.add_argument("--split", action="store_true", help="one file a station")
+    parser.add_argument("--survey", type=Path, help="one file a station, and a list of control points there")
     parser.add_argument("--truth", type=Path, help="also write the true walls there")
     parser.add_argument("--crs", help="such as EPSG:25833")
     return parser.parse_args()
@@ -63,11 +84,11 @@ def main() -> None:
     angle, *shift = arguments.move
     scene = SCENES[arguments.scene](arguments.seed).moved(angle, shift)
     scan = scene.scan(arguments.angular_step, arguments.noise, arguments.seed)
-    if arguments.split:
+    if arguments.survey:
+        write_survey(arguments, scene, scan)
+    elif arguments.split:
         for station in np.unique(scan.station):
-            name = f"{arguments.output.stem}_{station + 1:02d}{arguments.output.suffix}"
-            chosen = scan.station == station
-            write_laz(arguments.output.with_name(name), scan, chosen, arguments.crs)
+            write_laz(_numbered(arguments.output, station), scan, scan.station == station, arguments.crs)
     else:
         write_laz(arguments.output, scan, np.ones(len(scan.points), bool), arguments.crs)
     if arguments.truth:
