@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from .candidates import Candidates, find_candidates, pruned, seeds
-from .geometry import FLAT, fixes_pose
+from .geometry import FLAT, fixes_pose, spread
 from .model import Model
 from .pose import Pose, fit_pose
 from .similar import SimilarTriangles, named_seeds
@@ -22,8 +22,15 @@ from .site import Site
 MOST_SOLUTIONS = 48
 """More equally good ones are not told apart any more."""
 
+WIDE = 25.0
+"""How many times as far from a line as a target may err the corner of a seed must be.
+
+The pose of a narrower one leaves so much open that wrong points join."""
+
+NARROWEST = 0.3
+"""Of the width of all targets, if that is less."""
+
 BATCH = 20_000
-FITS = 12
 
 
 @dataclass(frozen=True)
@@ -102,10 +109,11 @@ class _Search:
         self.seed_model = model if free_scale else (Model.LEVELLED if model.levelled else Model.RIGID)
         self.size = model.least_targets
         self.order = np.arange(len(targets))
+        self.width = self._width()
 
     def longest_line(self) -> int:
         """Return the largest number of targets on a line, vertical if levelled; they fix no pose."""
-        near = 2 * self.shortest()
+        near = 2 * self.width
         if self.model.levelled:
             return int((cdist(self.targets[:, :2], self.targets[:, :2]) <= near).sum(axis=1).max())
         first, second = np.triu_indices(len(self.targets), 1)
@@ -115,11 +123,13 @@ class _Search:
         square = (arms**2).sum(axis=2) - np.einsum("pnk,pk->pn", arms, along) ** 2
         return int((square <= near**2).sum(axis=1).max(initial=1))
 
-    def shortest(self) -> float:
-        """Return how far from a line, in the scan, the corner of a triangle must be to fix a pose."""
+    def _width(self) -> float:
+        """Return how far from a line, in the scan, the corner of a triangle must be to be a seed."""
         if self.free_scale:
-            return 2 * FLAT * float(np.ptp(self.targets, axis=0).max(initial=0.0))
-        return 2 * self.site.factor * self.site.sigma
+            return WIDE * FLAT * float(np.ptp(self.targets, axis=0).max(initial=0.0))
+        level = self.targets[:, :2] - self.targets[:, :2].mean(axis=0)
+        widest = np.linalg.norm(level, axis=1).max() if self.model.levelled else spread(self.targets)[1]
+        return min(WIDE * self.site.factor * self.site.sigma, NARROWEST * float(widest))
 
     def seeds(self, least: int) -> Iterator[tuple[int, np.ndarray]]:
         """Yield, target by target, the sets of nodes that fix a pose and end with it."""
@@ -166,7 +176,7 @@ class _Search:
             solution = self._refined(mine[top], theirs[top])
             rest = np.ones(len(scores), bool)
             rest[top] = False
-            if solution is not None and solution.matched >= best:
+            if solution.matched >= best:
                 if solution.matched > best:
                     best, solutions = solution.matched, []
                 if not any(np.array_equal(solution.labels, other.labels) for other in solutions):
@@ -180,12 +190,12 @@ class _Search:
     def _fixes(self, corners: np.ndarray) -> np.ndarray:
         """Tell which seeds are wide enough to fix a pose."""
         if self.size == 2:
-            return np.linalg.norm(np.diff(corners[..., :2], axis=1)[:, 0], axis=1) > self.shortest()
+            return np.linalg.norm(np.diff(corners[..., :2], axis=1)[:, 0], axis=1) > self.width
         sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
         doubled = np.linalg.norm(
             np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1
         )
-        return doubled > self.shortest() * sides.max(axis=1, initial=0.0)
+        return doubled > self.width * sides.max(axis=1, initial=0.0)
 
     def _scores(self, pose: Pose, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
         """Return how many targets come to lie on points, at most."""
@@ -214,34 +224,52 @@ class _Search:
             leverage = leverage + (all_arms**2).sum(axis=-1) / np.maximum(squares, tiny)[:, None]
         return leverage
 
-    def _refined(self, mine: np.ndarray, theirs: np.ndarray) -> Optional[Solution]:
-        """Let targets join and leave until nothing changes."""
+    def _refined(self, mine: np.ndarray, theirs: np.ndarray) -> Solution:
+        """Let targets join, the surest first, and leave, until nothing changes."""
         labels = np.full(len(self.targets), -1)
         labels[mine] = theirs
-        pose = fit_pose(self.site.points[theirs], self.targets[mine], self.seed_model)
-        seen = set()
-        while labels.tobytes() not in seen and len(seen) < FITS:
-            seen.add(labels.tobytes())
-            used = np.flatnonzero(labels >= 0)
-            reach = self.site.reach(self._leverage(pose[None], used[None]), labels[used][None])[0]
-            labels = self._nearest(pose, reach)
-            used = np.flatnonzero(labels >= 0)
-            if not fixes_pose(self.targets[used], self.model, self.shortest() / 2):
-                return None
-            model = self.model if len(used) > self.size or self.free_scale else self.seed_model
-            pose = fit_pose(self.site.points[labels[used]], self.targets[used], model)
+        barred = np.zeros(labels.shape, bool)
+        for _ in range(4 * len(labels)):
+            joining = self._joining(labels, barred)
+            leaving = None if joining else self._leaving(labels)
+            if joining:
+                labels[joining[0]] = joining[1]
+            elif leaving is not None:
+                labels[leaving], barred[leaving] = -1, True
+            else:
+                break
+        used = np.flatnonzero(labels >= 0)
+        pose = self._fitted(labels, used)
         residuals = pose.apply(self.targets[used]) - self.site.points[labels[used]]
         in_order = np.full(len(labels), -1)
         in_order[self.order] = labels
         return Solution(in_order, pose, float((residuals**2).sum()) / self.site.sigma**2)
 
-    def _nearest(self, pose: Pose, reach: np.ndarray) -> np.ndarray:
-        """Return for each target the point within reach that has no nearer target, or -1."""
-        distances = cdist(pose.apply(self.targets), self.site.points)
-        distances[~self.allowed] = np.inf
-        points, distances = distances.argmin(axis=1), distances.min(axis=1)
-        points[distances > reach] = -1
-        for point in np.unique(points[points >= 0]):
-            rivals = np.flatnonzero(points == point)
-            points[np.delete(rivals, distances[rivals].argmin())] = -1
-        return points
+    def _fitted(self, labels: np.ndarray, used: np.ndarray) -> Pose:
+        model = self.model if len(used) > self.size else self.seed_model
+        return fit_pose(self.site.points[labels[used]], self.targets[used], model)
+
+    def _gaps(self, labels: np.ndarray, used: np.ndarray) -> np.ndarray:
+        """Return how far all targets lie from all points, over their reach, by the pose of those `used`."""
+        pose = self._fitted(labels, used)
+        reach = self.site.reach(self._leverage(pose[None], used[None]), labels[used][None])[0]
+        gaps = cdist(pose.apply(self.targets), self.site.points) / reach[:, None]
+        return np.where(self.allowed, gaps, np.inf)
+
+    def _joining(self, labels: np.ndarray, barred: np.ndarray) -> Optional[tuple[int, int]]:
+        """Return the free target that lies closest to a free point, and the point, if within reach."""
+        gaps = self._gaps(labels, np.flatnonzero(labels >= 0))
+        gaps[(labels >= 0) | barred] = np.inf
+        gaps[:, labels[labels >= 0]] = np.inf
+        row, point = np.unravel_index(gaps.argmin(), gaps.shape)
+        return (int(row), int(point)) if gaps[row, point] <= 1.0 else None
+
+    def _leaving(self, labels: np.ndarray) -> Optional[int]:
+        """Return the target that lies farthest out of reach by the pose of the others, if any does."""
+        used = np.flatnonzero(labels >= 0)
+        gaps = np.zeros(len(used))
+        for place, row in enumerate(used):
+            others = np.delete(used, place)
+            if fixes_pose(self.targets[others], self.model, self.width / 2):
+                gaps[place] = self._gaps(labels, others)[row, labels[row]]
+        return int(used[gaps.argmax()]) if gaps.max() > 1.0 else None
