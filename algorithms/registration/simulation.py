@@ -166,10 +166,10 @@ def simulate(
     done = []
     for number in range(trials):
         progress.update(number / trials, f"Registering {trials} simulated scans")
-        random = np.random.default_rng([seed, number])
-        group = groups[random.integers(len(groups))]
-        seen = random.permutation(group)[:targets_per_scan]
-        done.append(_trial(control, seen, settings, scale_ppm, random))
+        generator = np.random.default_rng([seed, number])
+        group = groups[generator.integers(len(groups))]
+        seen = generator.permutation(group)[:targets_per_scan]
+        done.append(_trial(control, seen, settings, scale_ppm, generator))
     progress.update(1.0)
     return Simulation(
         control, settings, targets_per_scan, scale_ppm, seed, reach, tuple(done), control.warnings + warnings
@@ -210,12 +210,12 @@ def _groups(control: PointList, size: int, reach: Optional[float]) -> tuple[list
 
 
 def _trial(
-    control: PointList, seen: np.ndarray, settings: Settings, scale_ppm: float, random: np.random.Generator
+    control: PointList, seen: np.ndarray, settings: Settings, scale_ppm: float, generator: np.random.Generator
 ) -> Trial:
     places = control.xyz[seen]
-    true = _pose(places, settings.model, random)
+    true = _pose(places, settings.model, generator)
     # Of the points as surveyed, too: only the difference of both errors matters.
-    noise = random.normal(0, np.hypot(settings.sigma, settings.control_sigma), places.shape)
+    noise = generator.normal(0, np.hypot(settings.sigma, settings.control_sigma), places.shape)
     measured = places + scale_ppm * 1e-6 * (places - places.mean(axis=0)) + noise
     scanned = np.linalg.solve(true[:3, :3], (measured - true[:3, 3]).T).T
     names = tuple(str(row) for row in range(1, len(seen) + 1))
@@ -224,16 +224,16 @@ def _trial(
     return _judged(found, true, dict(zip(names, seen)), control.names)
 
 
-def _pose(places: np.ndarray, model: Model, random: np.random.Generator) -> np.ndarray:
+def _pose(places: np.ndarray, model: Model, generator: np.random.Generator) -> np.ndarray:
     """Return a scanner somewhere among the places, turned at random; from its frame to theirs."""
     if model.levelled:
-        rotation = Rotation.from_euler("z", random.uniform(0, 2 * np.pi))
+        rotation = Rotation.from_euler("z", generator.uniform(0, 2 * np.pi))
     else:
-        rotation = Rotation.from_quat(random.normal(size=4))
-    scale = np.exp(random.uniform(*np.log(SCALES))) if model is Model.UNKNOWN_SCALE else 1.0
+        rotation = Rotation.from_quat(generator.normal(size=4))
+    scale = np.exp(generator.uniform(*np.log(SCALES))) if model is Model.UNKNOWN_SCALE else 1.0
     pose = np.eye(4)
     pose[:3, :3] = scale * rotation.as_matrix()
-    pose[:3, 3] = random.uniform(places.min(axis=0), places.max(axis=0))
+    pose[:3, 3] = generator.uniform(places.min(axis=0), places.max(axis=0))
     return pose
 
 
