@@ -34,7 +34,8 @@ class Chance:
     def __init__(self, site: Site, targets: np.ndarray, model: Model, free_scale: bool) -> None:
         self._site, self._targets, self._levelled = site, targets, model.levelled
         self._given = (4 if model.levelled else 6) + free_scale
-        self._distance = self._agreement(pdist(site.points), pdist(targets))
+        # Where the scale may be any, only ratios tell, as if the targets were points of the site.
+        self._distance = self._agreement(pdist(site.points), pdist(site.points if free_scale else targets))
         self._height = 1.0
         if model.levelled:
             self._height = self._agreement(pdist(site.points[:, 2:]), pdist(targets[:, 2:]))

@@ -12,9 +12,19 @@ from .geometry import fixes_pose, has_free_scale, line_width, spread
 from .model import Matching, Model, Settings
 from .network import Network
 from .point_list import PointList
+from .pose import Pose
 from .search import MOST_SOLUTIONS, Solution, find_solutions
 from .similar import MOST_POINTS
+from .single import fit_scan
 from .site import DRIFT, Site, factor_of
+
+LARGEST_TURN = 1.0
+"""Standard deviation of a turn, degrees, beyond which a transformation is of no use."""
+
+DOUBT, MOST_DOUBT = 1.5, 3.0
+"""How many times as far as its reach a target may lie from a point to speak for another solution.
+
+The first is multiplied by sigma0."""
 
 EQUAL = 30.0
 """Solutions are equally good unless their weighted sums of squares differ by more.
@@ -117,16 +127,62 @@ def find_scan(
     mirrored = _in_one_plane(question, best) and mirrored_solution(question, best.matched + 1)
     if mirrored:
         return Refusal(*mirrored)
-    limit = best.misfit + EQUAL * _variance_factor(best, model)
-    rivals = [item for item in solutions if item.misfit <= limit]
-    if len(rivals) > 1:
-        return _ambiguous(question, rivals)
+    rivals = _rivals(best, solutions[1:], model)
+    if rivals:
+        return _ambiguous(question, [best, *rivals])
+    kept = _kept(question, best)
+    turning = _turning(question, best.pose, kept)
+    if turning > LARGEST_TURN:
+        return _nearly_on_a_line(question, turning)
     if question.named:
         return Found(best, None, _warnings(question, best))
-    expected = chance.expected(best.matched, best.misfit)
-    if chance.explains(best.matched, best.misfit):
+    expected = chance.expected(len(kept), best.misfit)
+    if chance.explains(len(kept), best.misfit):
         return _accidental(question, best, expected)
     return Found(best, expected, _warnings(question, best))
+
+
+def _rivals(best: Solution, others: list[Solution], model: Model) -> list[Solution]:
+    """Return the solutions that are as good as the best."""
+    factor = _variance_factor(best, model)
+    limit = best.misfit + EQUAL * factor
+    # Where SIGMA is too small, true targets fall out, and a wrong solution may match more.
+    width = min(DOUBT * factor**0.5, MOST_DOUBT)
+    return [
+        item
+        for item in others
+        if item.contradicts(best, model.least_targets)
+        and (item.misfit <= limit if item.matched == best.matched else item.support(width) >= best.matched)
+    ]
+
+
+def _kept(question: Question, solution: Solution) -> np.ndarray:
+    """Return the rows of the matched targets that are no outliers."""
+    rows = np.flatnonzero(solution.labels >= 0)
+    settings, points = question.settings, question.site.points[solution.labels[rows]]
+    targets, nothing = question.scan.xyz[rows], np.zeros((3 * len(rows), 3 * len(rows)))
+    width = line_width(question.scan.xyz, settings)
+    return rows[fit_scan(targets, points, nothing, settings.model, settings.sigma, width).used]
+
+
+def _turning(question: Question, pose: Pose, rows: np.ndarray) -> float:
+    """Return the standard deviation of the least certain turn of the scan, degrees."""
+    arms = pose.turned(question.scan.xyz[rows])
+    arms = arms - arms.mean(axis=0)
+    if question.settings.model.levelled:
+        inertia = float((arms[:, :2] ** 2).sum())
+    else:
+        inertia = float(np.linalg.eigvalsh((arms**2).sum() * np.eye(3) - arms.T @ arms)[0])
+    return float(np.degrees(question.site.sigma / np.sqrt(max(inertia, np.finfo(float).tiny))))
+
+
+def _nearly_on_a_line(question: Question, turning: float) -> Refusal:
+    line = "nearly above each other" if question.settings.model.levelled else "nearly on a line"
+    return Refusal(
+        "collinear",
+        f"The targets of {question.scan.name} that match lie {line}, so the scan may turn about it by "
+        f"{turning:.0f} degrees; pick a target beside it.",
+    )
 
 
 def _question(scan: PointList, network: Network, settings: Settings) -> Question:

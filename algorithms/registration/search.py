@@ -22,6 +22,12 @@ from .site import Site
 MOST_SOLUTIONS = 48
 """More equally good ones are not told apart any more."""
 
+SPOILT = 0.85
+"""A fit is spoilt if its sigma0 is beyond this share of the limit of distances: three, by default."""
+
+SLACK = 2
+"""Solutions that match so many targets less than the best are looked for too, for noise may hide a target."""
+
 WIDE = 25.0
 """How many times as far from a line as a target may err the corner of a seed must be.
 
@@ -44,16 +50,36 @@ class Solution:
     pose : Pose
     misfit : float
         Sum of the squared residuals over the variance of a coordinate.
+    gaps : ndarray, shape (n,)
+        How far each target without a point lies from the nearest free one, over its reach.
     """
 
     labels: np.ndarray
     pose: Pose
     misfit: float
+    gaps: np.ndarray
 
     @property
     def matched(self) -> int:
         """The number k of targets with a point."""
         return int((self.labels >= 0).sum())
+
+    def support(self, width: float) -> int:
+        """Return the number of targets that lie on points if these reach `width` times as far."""
+        return self.matched + int((self.gaps <= width).sum())
+
+    def contradicts(self, other: "Solution", least: int) -> bool:
+        """Tell whether another solution is not the same one with more or fewer targets.
+
+        Parameters
+        ----------
+        other : Solution
+        least : int
+            So many common targets make the pose the same.
+        """
+        both = (self.labels >= 0) & (other.labels >= 0)
+        equal = self.labels[both] == other.labels[both]
+        return not equal.all() or int(equal.sum()) < least
 
 
 def find_solutions(
@@ -65,7 +91,7 @@ def find_solutions(
     named: bool = False,
     free_scale: bool = False,
 ) -> list[Solution]:
-    """Return all solutions with the largest number of matched targets, the best fitting first.
+    """Return all solutions with the largest number of matched targets, or nearly so many.
 
     Parameters
     ----------
@@ -85,20 +111,41 @@ def find_solutions(
     Returns
     -------
     list of Solution
-        Empty if there is none; no more than `MOST_SOLUTIONS`.
+        By the number of targets, then by how well they fit; empty if there is none. No more than
+        `MOST_SOLUTIONS` of the largest number, and as many others.
     """
     search = _Search(site, targets, model, allowed, named, free_scale)
     if len(targets) < least or len(site.points) < least:
         return []
-    best = least
     solutions: list[Solution] = []
     in_line = search.longest_line()
-    for last, nodes in search.seeds(best):
-        if last > len(targets) - best + in_line:
+    for last, nodes in search.seeds(least):
+        if last > len(targets) - _enough(solutions, least) + in_line:
             break
         for start in range(0, len(nodes), BATCH):
-            best, solutions = search.extended(nodes[start : start + BATCH], best, solutions)
-    return sorted(solutions, key=lambda item: (round(item.misfit, 6), item.labels.tolist()))
+            solutions = search.extended(nodes[start : start + BATCH], least, solutions)
+    return sorted(solutions, key=lambda item: (-item.matched, round(item.misfit, 6), item.labels.tolist()))
+
+
+def _enough(solutions: list, least: int) -> int:
+    """Return how many targets a solution must match to be worth keeping beside those that were found."""
+    best = max((item.matched for item in solutions), default=least)
+    equal = sum(item.matched == best for item in solutions)
+    if equal >= MOST_SOLUTIONS:
+        return best + 1
+    return best if len(solutions) - equal >= MOST_SOLUTIONS else max(best - SLACK, least)
+
+
+def _with(solution: Solution, solutions: list, least: int, size: int) -> list:
+    """Return the solutions with one more if it is new and matches enough, without what it outdoes."""
+    if solution.matched < _enough(solutions, least):
+        return solutions
+    same = [item for item in solutions if not solution.contradicts(item, size)]
+    if any(item.matched >= solution.matched for item in same):
+        return solutions
+    kept = [item for item in solutions if not any(item is other for other in same)] + [solution]
+    best = max(item.matched for item in kept)
+    return [item for item in kept if item.matched >= best - SLACK]
 
 
 class _Search:
@@ -160,32 +207,29 @@ class _Search:
     def _reorder(self, order: np.ndarray) -> None:
         self.order, self.targets, self.allowed = order, self.targets[order], self.allowed[order]
 
-    def extended(self, nodes: np.ndarray, best: int, solutions: list[Solution]) -> tuple[int, list[Solution]]:
-        """Lay seeds, and keep the solutions that match at least `best` targets."""
+    def extended(self, nodes: np.ndarray, least: int, solutions: list[Solution]) -> list[Solution]:
+        """Lay seeds, and keep the solutions that match enough targets."""
         count = len(self.site.points)
         mine, theirs = nodes // count, nodes % count
         fixing = self._fixes(self.targets[mine])
         mine, theirs = mine[fixing], theirs[fixing]
         pose = fit_pose(self.site.points[theirs], self.targets[mine], self.seed_model)
         scores = self._scores(pose, mine, theirs)
+        for solution in solutions:
+            scores[self._within(solution, mine, theirs)] = 0
         while len(scores):
             top = int(scores.argmax())
-            enough = best if len(solutions) < MOST_SOLUTIONS else best + 1
-            if scores[top] < enough:
+            if scores[top] < _enough(solutions, least):
                 break
             solution = self._refined(mine[top], theirs[top])
-            rest = np.ones(len(scores), bool)
-            rest[top] = False
-            if solution.matched >= best:
-                if solution.matched > best:
-                    best, solutions = solution.matched, []
-                if not any(np.array_equal(solution.labels, other.labels) for other in solutions):
-                    solutions = [*solutions, solution]
-                labels = solution.labels[self.order]
-                # Other seeds within this solution lead to it again.
-                rest &= ~(labels[mine] == theirs).all(axis=1)
-            mine, theirs, scores = mine[rest], theirs[rest], scores[rest]
-        return best, solutions
+            scores[top] = 0
+            # Other seeds within this solution lead to it again.
+            scores[self._within(solution, mine, theirs)] = 0
+            solutions = _with(solution, solutions, least, self.size)
+        return solutions
+
+    def _within(self, solution: Solution, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
+        return (solution.labels[self.order][mine] == theirs).all(axis=1)
 
     def _fixes(self, corners: np.ndarray) -> np.ndarray:
         """Tell which seeds are wide enough to fix a pose."""
@@ -239,11 +283,10 @@ class _Search:
             else:
                 break
         used = np.flatnonzero(labels >= 0)
-        pose = self._fitted(labels, used)
-        residuals = pose.apply(self.targets[used]) - self.site.points[labels[used]]
-        in_order = np.full(len(labels), -1)
+        in_order, gaps = np.full(len(labels), -1), np.full(len(labels), np.inf)
         in_order[self.order] = labels
-        return Solution(in_order, pose, float((residuals**2).sum()) / self.site.sigma**2)
+        gaps[self.order] = self._free_gaps(labels).min(axis=1)
+        return Solution(in_order, self._fitted(labels, used), self._misfit(labels, used), gaps)
 
     def _fitted(self, labels: np.ndarray, used: np.ndarray) -> Pose:
         model = self.model if len(used) > self.size else self.seed_model
@@ -258,18 +301,34 @@ class _Search:
 
     def _joining(self, labels: np.ndarray, barred: np.ndarray) -> Optional[tuple[int, int]]:
         """Return the free target that lies closest to a free point, and the point, if within reach."""
-        gaps = self._gaps(labels, np.flatnonzero(labels >= 0))
-        gaps[(labels >= 0) | barred] = np.inf
-        gaps[:, labels[labels >= 0]] = np.inf
+        gaps = self._free_gaps(labels)
+        gaps[barred] = np.inf
         row, point = np.unravel_index(gaps.argmin(), gaps.shape)
         return (int(row), int(point)) if gaps[row, point] <= 1.0 else None
 
+    def _free_gaps(self, labels: np.ndarray) -> np.ndarray:
+        """Return the gaps between targets without a point and points without a target, infinite elsewhere."""
+        gaps = self._gaps(labels, np.flatnonzero(labels >= 0))
+        gaps[labels >= 0] = np.inf
+        gaps[:, labels[labels >= 0]] = np.inf
+        return gaps
+
     def _leaving(self, labels: np.ndarray) -> Optional[int]:
-        """Return the target that lies farthest out of reach by the pose of the others, if any does."""
+        """Return the target that is out of reach by the pose of the others, or spoils the fit, if any."""
         used = np.flatnonzero(labels >= 0)
-        gaps = np.zeros(len(used))
+        gaps, misfits = np.zeros(len(used)), np.full(len(used), np.inf)
         for place, row in enumerate(used):
             others = np.delete(used, place)
             if fixes_pose(self.targets[others], self.model, self.width / 2):
                 gaps[place] = self._gaps(labels, others)[row, labels[row]]
-        return int(used[gaps.argmax()]) if gaps.max() > 1.0 else None
+                misfits[place] = self._misfit(labels, others)
+        if gaps.max() > 1.0:
+            return int(used[gaps.argmax()])
+        limit = (SPOILT * self.site.factor) ** 2 * (3 * len(used) - self.model.unknowns)
+        spoilt = self._misfit(labels, used) > limit and np.isfinite(misfits).any()
+        return int(used[misfits.argmin()]) if spoilt else None
+
+    def _misfit(self, labels: np.ndarray, used: np.ndarray) -> float:
+        """Return the squared residuals of the targets `used`, over the variance of a coordinate."""
+        residuals = self._fitted(labels, used).apply(self.targets[used]) - self.site.points[labels[used]]
+        return float((residuals**2).sum()) / self.site.sigma**2
