@@ -10,7 +10,8 @@ if TYPE_CHECKING:
 CLOUDS = CloudFiles(
     "INPUT",
     "Point clouds",
-    "One or more scans of one site: LAS, LAZ, COPC, E57, PTX, PLY or text (XYZ, TXT, CSV, PTS). "
+    "One or more scans of one site: LAS, LAZ, COPC, E57, PTX, PLY or text (XYZ, TXT, CSV, PTS); "
+    "or a folder of them. "
     "On the command line, repeat INPUT=file or separate the files by semicolons.",
 )
 

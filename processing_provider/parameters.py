@@ -10,6 +10,7 @@ import math
 import sys
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Optional, Union
 
 from qgis.core import (
@@ -173,10 +174,10 @@ class CloudFiles(Parameter):
         return QgsProcessingParameterMultipleLayers(self.name, self.description, files)
 
     def value(self, algorithm, parameters, context) -> list:
-        files = _files(parameters.get(self.name), context)
-        if not files:
+        given = _files(parameters.get(self.name), context)
+        if not given:
             raise InputError(f"{self.name} is empty; choose at least one point cloud file.")
-        return files
+        return [path for item in given for path in _in_folder(item)]
 
     def sources(self, value) -> list:
         return value
@@ -246,6 +247,15 @@ def _files(given, context: QgsProcessingContext) -> list:
     if isinstance(given, (list, tuple)):
         return [path for item in given for path in _files(item, context)]
     return [_source(path, context) for path in _split(str(given))] if given else []
+
+
+def _in_folder(path: str) -> list:
+    """Return the clouds in a folder, as another algorithm may have written it, or the path itself."""
+    if not Path(path).is_dir():
+        return [path]
+    from ..algorithms.clouds.cloud import clouds_in
+
+    return [str(cloud) for cloud in clouds_in(Path(path))]
 
 
 def _split(text: str) -> list:

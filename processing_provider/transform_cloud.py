@@ -52,6 +52,8 @@ class TransformCloudAlgorithm(Algorithm):
         sources = open_sources(values["INPUT"])
         scans, warnings = match_clouds(transforms, [source.path for source in sources])
         log.warn(warnings)
+        sources = tuple(source for source, scan in zip(sources, scans) if scan)
+        scans = tuple(scan for scan in scans if scan)
         if transforms.crs is None:
             log.warn(
                 [f"{transforms.path} names no coordinate reference system, so the results have none either."]

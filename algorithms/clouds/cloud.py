@@ -108,6 +108,23 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
     )
 
 
+def clouds_in(folder: Path) -> list[Path]:
+    """Return the clouds in a folder, by name; text files only if there are no others.
+
+    Lists of points lie beside clouds as text, and are none.
+
+    Raises
+    ------
+    InputError
+        If there are none.
+    """
+    found = sorted(path for path in folder.iterdir() if path.suffix.lower() in READERS)
+    binary = [path for path in found if READERS[path.suffix.lower()] != TextSource.open]
+    if not found:
+        raise InputError(f"The folder {folder} holds no point cloud; choose another, or single files.")
+    return binary or found
+
+
 def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:
     """Open scan files, each in a coordinate system of its own; see `open_cloud`."""
     if not paths:

@@ -216,8 +216,8 @@ def _read_crs(path: Path, text: Any) -> Optional[CRS]:
 
 def match_clouds(
     transforms: Transforms, clouds: Sequence[Path]
-) -> tuple[tuple[ScanTransform, ...], tuple[str, ...]]:
-    """Return the registered scan of each cloud, by the stems of the files, and warnings.
+) -> tuple[tuple[Optional[ScanTransform], ...], tuple[str, ...]]:
+    """Return the scan of each cloud, by the stems of the files, None if it is not registered; and warnings.
 
     Of a file `scan.copc.laz` the stem is `scan`. Capitals matter only where names differ in nothing
     else. If there is one cloud and one scan, they belong together whatever their names.
@@ -225,13 +225,14 @@ def match_clouds(
     Raises
     ------
     InputError
-        If a cloud has no scan of its name, or one that is not registered.
+        If a cloud has no scan of its name, or no scan of a cloud is registered.
     """
     scans = tuple(_scan_of(transforms, cloud) for cloud in clouds)
     warnings = ()
     if len(clouds) == len(transforms.scans) == 1 and scans[0] is None:
         scans = transforms.scans
         warnings = (f"The only scan in {transforms.path}, {scans[0].name}, is taken for {clouds[0].name}.",)
+    refused = []
     for cloud, scan in zip(clouds, scans):
         if scan is None:
             names = ", ".join(item.name for item in transforms.scans)
@@ -240,12 +241,14 @@ def match_clouds(
                 "name the cloud after its scan."
             )
         if scan.matrix is None:
-            raise InputError(
-                f"The scan {scan.name} of {cloud} is not registered in {transforms.path} "
-                f"({scan.status}{': ' if scan.reason else ''}{scan.reason.rstrip('.')}); "
-                "leave the cloud out, or register it."
+            refused.append(
+                f"{cloud} is left out, for its scan {scan.name} is not registered in {transforms.path} "
+                f"({scan.status}{': ' if scan.reason else ''}{scan.reason.rstrip('.')})."
             )
-    return scans, warnings
+    if len(refused) == len(clouds):
+        raise InputError(" ".join([*refused, "Register at least one of them."]))
+    placed = tuple(None if scan.matrix is None else scan for scan in scans)
+    return placed, (*warnings, *refused)
 
 
 def _scan_of(transforms: Transforms, cloud: Path) -> Optional[ScanTransform]:

@@ -96,11 +96,28 @@ def test_a_missing_reference_system_is_told(transform, scans, feedback):
     assert warning.endswith("names no coordinate reference system, so the results have none either.")
 
 
-def test_a_scan_that_is_not_registered_is_refused_and_nothing_is_written(refuse, tmp_path):
-    sentence = refuse("hall.laz", "yard.laz")
+def test_a_scan_that_is_not_registered_is_left_out_and_the_others_are_written(transform, tmp_path, feedback):
+    result = transform("hall.laz", "yard.laz")
 
-    assert "The scan yard of" in sentence and "(too few: Only two targets)" in sentence
+    assert result["SCANS_TRANSFORMED"] == 1
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["hall.laz"]
+    assert any("its scan yard is not registered" in warning for warning in feedback.warnings)
+
+
+def test_without_any_registered_scan_nothing_is_written(refuse, tmp_path):
+    sentence = refuse("yard.laz")
+
+    assert "its scan yard is not registered" in sentence and "(too few: Only two targets)" in sentence
     assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_stands_for_its_clouds_and_not_for_the_lists_beside_them(transform, scans, tmp_path):
+    (scans / "yard.laz").unlink()
+    (scans / "attic.xyz").rename(scans / "attic.txt")
+    result = transform(INPUT=str(scans))
+
+    assert result["SCANS_TRANSFORMED"] == 1
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["hall.laz"]
 
 
 def test_nothing_is_written_if_one_cloud_turns_out_to_be_damaged(refuse, scans, tmp_path):

@@ -216,5 +216,12 @@ def test_a_cloud_without_a_scan_is_told_the_names(written):
 
 
 def test_a_cloud_whose_scan_is_not_registered_is_told_why(written):
-    with pytest.raises(InputError, match=r"not registered in .* \(ambiguous: Two solutions\); leave"):
+    told = r"Gärten\.laz is left out, .* not registered in .* \(ambiguous: Two solutions\)\."
+    with pytest.raises(InputError, match=told):
         match_clouds(read_transforms(written), [Path("Gärten.laz")])
+
+
+def test_a_cloud_whose_scan_is_not_registered_does_not_stop_the_others(written):
+    scans, warnings = match_clouds(read_transforms(written), [Path("Gärten.laz"), Path("Hall.laz")])
+    assert [scan and scan.name for scan in scans] == [None, "Hall"]
+    assert len(warnings) == 1 and "Gärten.laz is left out" in warnings[0]
