@@ -1,12 +1,13 @@
 """All scans and the points that they share, adjusted together; outliers leave one at a time."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
 from .adjustment import Block, Sighting, adjust
 from .geometry import fixes_pose, line_width
-from .growth import Growth, Placed
+from .growth import Growth
 from .model import Settings
 from .results import GlobalTest
 from .single import worst_target
@@ -44,31 +45,44 @@ def adjust_block(growth: Growth, settings: Settings) -> Adjusted:
         With at least one scan placed.
     settings : Settings
     """
-    rejected = [dict(scan.rejected) for scan in growth.placed]
+    rejected = tuple(dict(scan.rejected) for scan in growth.placed)
+    adjusted = _adjusted(growth, rejected, settings)
+    spared: set = set()
     while True:
-        used = _used(growth, rejected)
-        sightings = [
-            Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose)
-            for scan, rows in zip(growth.placed, used)
-        ]
-        network = growth.network
-        block = adjust(
-            sightings,
-            network.points,
-            network.surveyed,
-            settings.model,
-            settings.sigma,
-            settings.control_sigma,
+        suspect = _suspect(growth, adjusted, spared, settings)
+        if suspect is None:
+            return adjusted
+        number, row, normalized = suspect
+        fewer = tuple(
+            {**out, row: normalized} if scan == number else out for scan, out in enumerate(adjusted.rejected)
         )
-        tests = tuple(_test_of(item, settings.sigma) for item in block.targets)
-        worst = _worst(growth.placed, used, block, tests, settings)
-        if worst is None:
-            return Adjusted(block, tuple(used), tuple(rejected), tests)
-        number, row, normalized = worst
-        rejected[number][row] = normalized
+        try:
+            adjusted = _adjusted(growth, fewer, settings)
+        except np.linalg.LinAlgError:
+            # Nothing else holds the scans together.
+            spared.add((number, row))
 
 
-def _used(growth: Growth, rejected: list) -> list[np.ndarray]:
+def _adjusted(growth: Growth, rejected: tuple[dict, ...], settings: Settings) -> Adjusted:
+    used = _used(growth, rejected)
+    sightings = []
+    for scan, rows in zip(growth.placed, used):
+        if not fixes_pose(scan.scan.xyz[rows], settings.model, line_width(scan.scan.xyz, settings)):
+            raise np.linalg.LinAlgError(f"{scan.scan.name} has too few points left")
+        sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose))
+    block = adjust(
+        sightings,
+        growth.network.points,
+        growth.network.surveyed,
+        settings.model,
+        settings.sigma,
+        settings.control_sigma,
+    )
+    tests = tuple(_test_of(item, settings.sigma) for item in block.targets)
+    return Adjusted(block, tuple(used), rejected, tests)
+
+
+def _used(growth: Growth, rejected: tuple) -> list[np.ndarray]:
     """Return the rows of each scan that say something about it: surveyed points, and those seen again."""
     rows = [
         np.array([row for row in range(len(scan.labels)) if row not in out], int)
@@ -87,21 +101,15 @@ def _test_of(residuals, sigma: float) -> GlobalTest:
     return global_test(squares, float(residuals.redundancy.sum()))
 
 
-def _worst(placed: tuple[Placed, ...], used: list, block: Block, tests: tuple, settings: Settings):
+def _suspect(growth: Growth, adjusted: Adjusted, spared: set, settings: Settings) -> Optional[tuple]:
     """Return scan, row and w of the most suspicious target that can be spared, or None."""
     suspects = []
-    for number, (residuals, test) in enumerate(zip(block.targets, tests)):
-        worst = worst_target(residuals.normalized, test.sigma0, test.redundancy)
-        if worst is None:
-            continue
-        targets = placed[number].scan.xyz
-        rest = np.delete(used[number], worst)
-        if fixes_pose(targets[rest], settings.model, line_width(targets, settings)):
-            normalized = residuals.normalized[worst]
-            suspects.append(
-                (float(np.nanmax(np.abs(normalized))), number, int(used[number][worst]), normalized)
-            )
-    if not suspects:
-        return None
-    _, number, row, normalized = max(suspects, key=lambda item: item[0])
-    return number, row, normalized
+    for number, (residuals, test) in enumerate(zip(adjusted.block.targets, adjusted.tests)):
+        rows = adjusted.used[number]
+        barred = np.array([(number, row) in spared for row in rows])
+        normalized = np.where(barred[:, None], 0.0, residuals.normalized)
+        worst = worst_target(normalized, test.sigma0, test.redundancy)
+        if worst is not None:
+            size = float(np.nanmax(np.abs(normalized[worst])))
+            suspects.append((size, number, int(rows[worst]), normalized[worst]))
+    return max(suspects, key=lambda item: item[0])[1:] if suspects else None

@@ -51,7 +51,22 @@ class Chance:
         smooth = float(np.mean(near + 0.5)) / (len(lengths) + 1) * limit / window
         return min(smooth, 1.0)
 
-    def expected(self, matched: int, misfit: float) -> float:
+    def repetition(self, points: np.ndarray) -> float:
+        """Return the probability that a distance among some control points occurs elsewhere.
+
+        In a regular layout it is much more likely than in a random one.
+
+        Parameters
+        ----------
+        points : ndarray of int, shape (k,)
+        """
+        lengths = np.sort(pdist(self._site.points))
+        limit = float(np.median(self._site.limits))
+        asked = pdist(self._site.points[points])
+        near = np.searchsorted(lengths, asked + limit) - np.searchsorted(lengths, asked - limit)
+        return float(np.mean(np.maximum(near - 1, 0))) / len(lengths)
+
+    def expected(self, matched: int, misfit: float, repetition: float = 0.0) -> float:
         """Return the expected number of accidental matches of `matched` targets.
 
         Parameters
@@ -60,21 +75,24 @@ class Chance:
             k.
         misfit : float
             Sum of the squared residuals over the variance of a coordinate.
+        repetition : float
+            Of the distances between the matched points.
         """
+        distance = max(self._distance, repetition)
         n, points, redundancy = len(self._targets), len(self._site.points), 3 * matched - self._given
         ways = lgamma(n + 1) - lgamma(matched + 1) - lgamma(n - matched + 1)
         ways += lgamma(points + 1) - lgamma(points - matched + 1)
-        rarity = redundancy * log(self._distance)
+        rarity = redundancy * log(distance)
         if self._levelled:
-            rarity += log(self._height / self._distance)
+            rarity += log(self._height / distance)
         radius = max(misfit, 1e-12) ** 0.5 / (2 * self._site.factor)
         volume = redundancy / 2 * log(pi) + redundancy * log(radius) - lgamma(redundancy / 2 + 1)
         return float(np.exp(min(ways + rarity + min(volume, 0.0), 700.0)))
 
-    def explains(self, matched: int, misfit: float) -> bool:
+    def explains(self, matched: int, misfit: float, repetition: float = 0.0) -> bool:
         """Tell whether a match of `matched` targets may be accidental."""
         accepted = ACCEPTED_OF_ALL if matched == len(self._targets) else ACCEPTED
-        return self.expected(matched, misfit) > accepted
+        return self.expected(matched, misfit, repetition) > accepted
 
     def least(self, smallest: int) -> int:
         """Return the smallest number of targets, from `smallest`, that no accident explains.

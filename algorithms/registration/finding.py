@@ -136,8 +136,9 @@ def find_scan(
         return _nearly_on_a_line(question, turning)
     if question.named:
         return Found(best, None, _warnings(question, best))
-    expected = chance.expected(len(kept), best.misfit)
-    if chance.explains(len(kept), best.misfit):
+    evidence = len(kept), best.misfit, chance.repetition(best.labels[kept])
+    expected = chance.expected(*evidence)
+    if chance.explains(*evidence):
         return _accidental(question, best, expected)
     return Found(best, expected, _warnings(question, best))
 
