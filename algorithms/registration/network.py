@@ -110,6 +110,12 @@ class Network:
         """Return the covariance of `points` among each other, shape (3 k, 3 k)."""
         return np.hstack([self.covariance_between(points, point) for point in points])
 
+    def _new_name(self, name: str) -> str:
+        """Return a name that no point has, by primes if need be."""
+        while name in self.names:
+            name += "'"
+        return name
+
     def appended(
         self,
         scan: str,
@@ -132,7 +138,7 @@ class Network:
         count = len(self.points)
         return replace(
             self,
-            names=self.names + tuple(f"{scan}:{target}" for target in targets),
+            names=self.names + tuple(self._new_name(f"{scan}:{target}") for target in targets),
             labels=self.labels + targets,
             points=np.concatenate([self.points, points]),
             origins=self.origins + (scan,) * len(targets),

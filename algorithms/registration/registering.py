@@ -107,7 +107,7 @@ def _doubles(network: Network, settings: Settings) -> list[str]:
     site = network.site(settings.sigma, factor, 0.0)
     sentences = []
     for row in np.flatnonzero(doubles(site)):
-        first = int(site.distances[row].argsort(kind="stable")[1])
+        first = int(site.distances[row, :row].argmin())
         sentences.append(
             f"The control points {network.names[first]} and {network.names[row]} are "
             f"{1000 * site.distances[row, first]:.0f} mm apart and cannot be told from each other; one is "

@@ -218,3 +218,27 @@ def test_the_same_input_gives_the_same_bytes():
     assert [item.residual.tobytes() for item in results[0].correspondences] == [
         item.residual.tobytes() for item in results[1].correspondences
     ]
+
+
+def test_an_appended_point_never_takes_the_name_of_a_surveyed_one():
+    names = [*map(str, range(1, 8)), "scan:9"]
+    targets, _ = scanned(np.concatenate([HALL, ANNEX]), noise=0.001)
+    registration = register_scans(listed("control", HALL, names), [listed("scan", targets)])
+
+    known = [point.name for point in registration.points]
+    assert len(known) == len(set(known)) == len(HALL) + len(ANNEX)
+    assert "scan:9'" in known
+
+
+def test_outliers_never_leave_a_scan_of_the_block_without_support():
+    # Seen by two scans each, these points carry the second scan; blunders make all of them suspicious.
+    places = np.concatenate([HALL, ANNEX])
+    first, _ = scanned(places, noise=0.002, seed=1)
+    second, _ = scanned(ANNEX, heading=200, noise=0.002, seed=2)
+    second[:2] += [[0.012, 0, 0], [0, -0.012, 0]]
+    registration = register_scans(
+        listed("control", HALL), [listed("a", first), listed("b", second)], Settings(sigma=0.001)
+    )
+
+    for scan in registration.registered:
+        assert len(labels(scan)) >= 3
