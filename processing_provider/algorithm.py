@@ -111,6 +111,9 @@ class Algorithm(QgsProcessingAlgorithm):
     def initAlgorithm(self, configuration=None) -> None:
         for parameter in (*self.inputs, *self.destinations):
             self.addParameter(parameter.definition())
+        for output in self.destinations:
+            for definition in output.further_outputs():
+                self.addOutput(definition)
         for name, label in self.numbers:
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
@@ -140,7 +143,10 @@ class Algorithm(QgsProcessingAlgorithm):
             outcome = self.compute(values, log)
             styles = _write(files, outcome, sources)
         show_when_loaded(styles, context)
-        return {**outcome.numbers, **{output.name: str(path) for output, path in files.items()}}
+        results = dict(outcome.numbers)
+        for output, path in files.items():
+            results.update(output.results(path, outcome.writers[output.name]))
+        return results
 
     def _values(self, parameters: dict, context: QgsProcessingContext) -> dict:
         return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}

@@ -9,6 +9,7 @@ from typing import Optional
 
 from qgis.core import (
     QgsProcessing,
+    QgsProcessingOutputMultipleLayers,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
@@ -42,6 +43,14 @@ class Destination(Parameter):
     def files(self, path: Path, writer) -> dict:
         """Return what writes each file of this output, by path."""
         return {path: writer}
+
+    def further_outputs(self) -> list:
+        """Return definitions of outputs besides the file itself."""
+        return []
+
+    def results(self, path: Path, writer) -> dict:
+        """Return the values of all outputs of this destination, by name."""
+        return {self.name: str(path)}
 
     def check(self, path: Path) -> None:
         """Refuse a path that cannot be written; see `check_outputs`."""
@@ -161,8 +170,15 @@ class HtmlDestination(FileDestination):
 
 @dataclass(frozen=True)
 class FolderDestination(Destination):
-    """A folder of files; it is made if only itself is missing."""
+    """A folder of files; it is made if only itself is missing.
 
+    Attributes
+    ----------
+    listing : str
+        Name of a further output, the list of the files: the model designer hands on no folders.
+    """
+
+    listing: str = ""
     extensions = ()
 
     def _definition(self) -> QgsProcessingParameterFolderDestination:
@@ -171,6 +187,14 @@ class FolderDestination(Destination):
     def files(self, path: Path, writer: dict) -> dict:
         """Return what writes each file of the folder; `writer` holds it by the name of the file."""
         return {path / name: write for name, write in writer.items()}
+
+    def further_outputs(self) -> list:
+        """Return the definition of the list of files."""
+        return [QgsProcessingOutputMultipleLayers(self.listing, f"{self.label}, one by one")]
+
+    def results(self, path: Path, writer: dict) -> dict:
+        """Return the folder and the list of its new files."""
+        return {self.name: str(path), self.listing: [str(file) for file in self.files(path, writer)]}
 
     def check(self, path: Path) -> None:
         """Refuse a folder that cannot be made or written to."""

@@ -35,6 +35,7 @@ class TransformCloudAlgorithm(Algorithm):
             "OUTPUT_FOLDER",
             "Transformed clouds",
             "Folder for one cloud per scan. LAS, LAZ and text stay what they are; all else becomes LAZ.",
+            listing="CLOUDS",
         ),
     )
     numbers = (

@@ -109,9 +109,9 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
 
 
 def clouds_in(folder: Path) -> list[Path]:
-    """Return the clouds in a folder, by name; text files only if there are no others.
+    """Return the clouds in a folder, by name; TXT and CSV files only if there are no others.
 
-    Lists of points lie beside clouds as text, and are none.
+    Lists of points lie beside clouds as such files, and are none.
 
     Raises
     ------
@@ -119,10 +119,10 @@ def clouds_in(folder: Path) -> list[Path]:
         If there are none.
     """
     found = sorted(path for path in folder.iterdir() if path.suffix.lower() in READERS)
-    binary = [path for path in found if READERS[path.suffix.lower()] != TextSource.open]
+    certain = [path for path in found if path.suffix.lower() not in (".txt", ".csv")]
     if not found:
         raise InputError(f"The folder {folder} holds no point cloud; choose another, or single files.")
-    return binary or found
+    return certain or found
 
 
 def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Optional
 import numpy as np
 
 from .model import Model
+from .site import DRIFT
 
 if TYPE_CHECKING:
     from .finding import Question
@@ -25,6 +26,7 @@ def explain_failure(question: "Question", least: int) -> tuple[str, str]:
         mirrored_solution(question, enough)
         or _other_unit(question, enough)
         or _not_levelled(question, enough)
+        or _scaled(question, enough)
         or _misnamed(question, enough)
     )
     return explained or _nothing(question, least)
@@ -78,6 +80,23 @@ def _not_levelled(question: "Question", least: int) -> Optional[tuple[str, str]]
         f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit if the scan is tilted by "
         f"{tilt:.2f} degrees; choose a model that is not levelled, or correct the order of the axes (z is "
         "up).",
+    )
+
+
+def _scaled(question: "Question", least: int) -> Optional[tuple[str, str]]:
+    scan, model = question.scan, question.settings.model
+    if model.scaled:
+        return None
+    model = Model.LEVELLED_SCALE if model.levelled else Model.SIMILARITY
+    solutions = question.solutions(scan.xyz, model, least, replace(question.site, drift=DRIFT))
+    if not solutions:
+        return None
+    return (
+        "scale",
+        f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit with a scale error of "
+        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, as grid coordinates have that are not "
+        "reduced for the "
+        "projection; choose a model with scale.",
     )
 
 

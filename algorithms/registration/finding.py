@@ -279,7 +279,7 @@ def _too_few_to_tell(question: Question, chance: Chance) -> Refusal:
 
 def _accidental(question: Question, best: Solution, expected: float) -> Refusal:
     status, reason = explain_failure(question, best.matched)
-    if status in ("mirrored", "units", "tilted"):
+    if status in ("mirrored", "units", "tilted", "scale"):
         return Refusal(status, reason)
     return Refusal(
         "chance",

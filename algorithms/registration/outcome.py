@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from scipy import stats
@@ -86,6 +87,7 @@ def _registered(
     correspondences = _correspondences(scan, number, growth, adjusted, settings, frames)
     matched = {item.target for item in correspondences}
     test = adjusted.tests[number]
+    scale_test = _scale_test(placed, number, adjusted, settings)
     return ScanRegistration(
         name=scan.name,
         status=REGISTERED,
@@ -100,10 +102,15 @@ def _registered(
         correspondences=correspondences,
         unmatched=tuple(name for name in scan.names if name not in matched),
         test=test,
-        scale_test=_scale_test(placed, number, adjusted, settings),
+        scale_test=scale_test,
         chance=placed.found.chance,
         round=placed.round,
-        warnings=(*scan.warnings, *placed.found.warnings, *_misjudged(scan.name, test, settings)),
+        warnings=(
+            *scan.warnings,
+            *placed.found.warnings,
+            *_misjudged(scan.name, test, settings),
+            *_unscaled(scan.name, scale_test, settings.model),
+        ),
     )
 
 
@@ -116,6 +123,11 @@ def _misjudged(name: str, test, settings: Settings) -> list[str]:
         f"{test.probability:.1g}); look for wrong targets, or set SIGMA to "
         f"{test.sigma0 * settings.sigma:.2g}."
     ]
+
+
+def _unscaled(name: str, test: Optional[ScaleTest], model: Model) -> list[str]:
+    """Warn of a scale that the model lacks."""
+    return [f"{name}: {test.advice}"] if test and test.significant and not model.scaled else []
 
 
 def _parameters(pose: Pose, model: Model) -> tuple[list, np.ndarray]:
@@ -194,7 +206,7 @@ def _correspondences(
     return tuple(found)
 
 
-def _scale_test(placed: Placed, number: int, adjusted: Adjusted, settings: Settings):
+def _scale_test(placed: Placed, number: int, adjusted: Adjusted, settings: Settings) -> Optional[ScaleTest]:
     """Test the scale, if need be by an adjustment of the scan alone that has one."""
     model, block, used = settings.model, adjusted.block, adjusted.used[number]
     scaled = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCALE}.get(model, model)

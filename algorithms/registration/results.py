@@ -124,8 +124,8 @@ class ScanRegistration:
     ----------
     name : str
     status : str
-        `REGISTERED`, or in a word why not: ambiguous, mirrored, units, tilted, collinear, coincident,
-        too few, too many, chance, no overlap, misfit.
+        `REGISTERED`, or in a word why not: ambiguous, mirrored, units, tilted, scale, collinear,
+        coincident, too few, too many, chance, no overlap, misfit.
     reason : str
         A sentence with the remedy; empty if registered.
     matrix : ndarray, shape (4, 4), or None

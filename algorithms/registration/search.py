@@ -245,10 +245,15 @@ class _Search:
         """Return how many targets come to lie on points, at most."""
         if not len(mine):
             return np.zeros(0, int)
-        reach = self.site.reach(self._leverage(pose, mine), theirs)
+        reach = self.site.reach(self._leverage(pose, mine), theirs) + self._drift(pose, len(mine))
         placed = pose.apply(np.broadcast_to(self.targets, (len(mine), *self.targets.shape)))
         distances, _ = self.tree.query(placed, distance_upper_bound=float(reach.max()))
         return (distances <= reach).sum(axis=1)
+
+    def _drift(self, pose: Pose, count: int) -> np.ndarray:
+        """Return how far a scale error may move each target by the poses of seeds, which have none."""
+        arms = pose.turned(np.broadcast_to(self.targets, (count, *self.targets.shape)))
+        return self.site.drift * np.linalg.norm(arms, axis=-1)
 
     def _leverage(self, pose: Pose, mine: np.ndarray) -> np.ndarray:
         """Return the variance that the pose of seeds adds to each target, over that of a coordinate."""
@@ -264,7 +269,7 @@ class _Search:
             far = (all_arms**2).sum(axis=-1)
         tiny = np.finfo(float).tiny
         leverage = 1.0 / mine.shape[1] + far / np.maximum(inertia, tiny)[:, None]
-        if self.free_scale:
+        if self.model.scaled:
             leverage = leverage + (all_arms**2).sum(axis=-1) / np.maximum(squares, tiny)[:, None]
         return leverage
 
@@ -296,6 +301,8 @@ class _Search:
         """Return how far all targets lie from all points, over their reach, by the pose of those `used`."""
         pose = self._fitted(labels, used)
         reach = self.site.reach(self._leverage(pose[None], used[None]), labels[used][None])[0]
+        if len(used) <= self.size:
+            reach = reach + self._drift(pose[None], 1)[0]
         gaps = cdist(pose.apply(self.targets), self.site.points) / reach[:, None]
         return np.where(self.allowed, gaps, np.inf)
 

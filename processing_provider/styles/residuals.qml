@@ -41,6 +41,18 @@
                   <Option type="QString" name="style" value="solid"/>
                   <Option type="QString" name="outline_style" value="no"/>
                 </Option>
+                <!-- A legend has no feature; arrows there would be as long as QGIS has room, and push the words out. -->
+                <data_defined_properties>
+                  <Option type="Map">
+                    <Option type="Map" name="properties">
+                      <Option type="Map" name="enabled">
+                        <Option type="bool" name="active" value="true"/>
+                        <Option type="QString" name="expression" value="try(&quot;used&quot; = 1, false)"/>
+                        <Option type="int" name="type" value="3"/>
+                      </Option>
+                    </Option>
+                  </Option>
+                </data_defined_properties>
               </layer>
             </symbol>
             </layer>
@@ -79,6 +91,17 @@
                   <Option type="QString" name="style" value="solid"/>
                   <Option type="QString" name="outline_style" value="no"/>
                 </Option>
+                <data_defined_properties>
+                  <Option type="Map">
+                    <Option type="Map" name="properties">
+                      <Option type="Map" name="enabled">
+                        <Option type="bool" name="active" value="true"/>
+                        <Option type="QString" name="expression" value="try(&quot;used&quot; = 1, false)"/>
+                        <Option type="int" name="type" value="3"/>
+                      </Option>
+                    </Option>
+                  </Option>
+                </data_defined_properties>
               </layer>
             </symbol>
             </layer>

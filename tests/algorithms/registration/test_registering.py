@@ -116,6 +116,7 @@ def test_a_scale_that_the_model_lacks_is_told():
     assert scan.scale_test.significant
     assert scan.scale_test.deviation == pytest.approx(400, abs=40)
     assert "model with scale" in scan.scale_test.advice
+    assert any("differs from 1 by +400 ppm" in warning for warning in scan.warnings)
 
 
 def several_scans():
@@ -242,3 +243,22 @@ def test_outliers_never_leave_a_scan_of_the_block_without_support():
 
     for scan in registration.registered:
         assert len(labels(scan)) >= 3
+
+
+@pytest.mark.parametrize("model", [Model.SIMILARITY, Model.LEVELLED_SCALE])
+@pytest.mark.parametrize("scale", [0.9996, 1.0005])
+def test_a_model_with_scale_takes_the_scale_of_a_projection(model, scale):
+    site = HALL * 6
+    scan = register(site, scanned(site, scale=scale, noise=0.002)[0], model=model)
+
+    assert len(labels(scan)) == 8
+    assert scan.scale == pytest.approx(scale, abs=1e-4)
+
+
+@pytest.mark.parametrize("model", [Model.RIGID, Model.LEVELLED])
+def test_a_model_without_scale_names_that_of_a_projection(model):
+    site = HALL * 25
+    scan = register(site, scanned(site, scale=0.9996, noise=0.002)[0], model=model)
+
+    assert scan.status == "scale"
+    assert "model with scale" in scan.reason
