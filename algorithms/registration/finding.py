@@ -18,6 +18,9 @@ from .similar import MOST_POINTS
 from .single import fit_scan
 from .site import DRIFT, Site, factor_of
 
+POOR = 2.5
+"""With a larger sigma0 a fit is poor."""
+
 LARGEST_TURN = 1.0
 """Standard deviation of a turn, degrees, beyond which a transformation is of no use."""
 
@@ -136,7 +139,9 @@ def find_scan(
         return _nearly_on_a_line(question, turning)
     if question.named:
         return Found(best, None, _warnings(question, best))
-    evidence = len(kept), best.misfit, chance.repetition(best.labels[kept])
+    # A true target may be an outlier; where the fit is poor, outliers rather do not belong to it.
+    poor = _variance_factor(best, model) > POOR**2
+    evidence = len(kept) if poor else best.matched, best.misfit, chance.repetition(best.labels[kept])
     expected = chance.expected(*evidence)
     if chance.explains(*evidence):
         return _accidental(question, best, expected)
