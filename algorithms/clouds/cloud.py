@@ -15,7 +15,7 @@ from .e57 import E57Source
 from .las import LasSource
 from .ply import PlySource
 from .ptx import PtxSource
-from .source import Chunk, Source
+from .source import Chunk, Source, unreadable
 from .text import TextSource
 
 # A new format joins here with one line.
@@ -116,9 +116,12 @@ def clouds_in(folder: Path) -> list[Path]:
     Raises
     ------
     InputError
-        If there are none.
+        If there are none, or the folder cannot be read.
     """
-    found = sorted(path for path in folder.iterdir() if path.suffix.lower() in READERS)
+    try:
+        found = sorted(path for path in folder.iterdir() if path.suffix.lower() in READERS)
+    except OSError as error:
+        raise unreadable(folder, error) from error
     certain = [path for path in found if path.suffix.lower() not in (".txt", ".csv")]
     if not found:
         raise InputError(f"The folder {folder} holds no point cloud; choose another, or single files.")

@@ -80,7 +80,8 @@ def test_a_model_that_was_stored_still_runs(model, room, tmp_path):
     assert processing.run(stored, {"CLOUDS": room, walls: str(tmp_path / "walls.gpkg")})[walls]
 
 
-def test_scans_are_registered_transformed_and_drawn_in_one_model(provider, room, tmp_path):
+@pytest.mark.parametrize("handed_on", ["CLOUDS", "OUTPUT_FOLDER"])
+def test_scans_are_registered_transformed_and_drawn_in_one_model(provider, room, tmp_path, handed_on):
     import fiona
     import processing
     from qgis.core import (
@@ -119,7 +120,7 @@ def test_scans_are_registered_transformed_and_drawn_in_one_model(provider, room,
     walls = QgsProcessingModelOutput("walls", "walls")
     walls.setChildOutputName("WALLS")
     walls.setChildId("siteplan")
-    add("siteplan", {"walls": walls}, INPUT=source.fromChildOutput("transformcloud", "OUTPUT_FOLDER"))
+    add("siteplan", {"walls": walls}, INPUT=source.fromChildOutput("transformcloud", handed_on))
     targets, control = field_lists(tmp_path, room)
 
     inputs = {"CLOUDS": [room], "CONTROL": str(control), "TARGETS": [str(targets)]}

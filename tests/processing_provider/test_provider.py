@@ -28,7 +28,7 @@ CONTRACT = {
     "thincloud": ({"INPUT", "SPACING", "OUTPUT"}, {"OUTPUT", "POINTS_IN", "POINTS_OUT"}),
     "transformcloud": (
         {"INPUT", "TRANSFORMS", "OUTPUT_FOLDER"},
-        {"OUTPUT_FOLDER", "SCANS_TRANSFORMED", "POINTS"},
+        {"OUTPUT_FOLDER", "CLOUDS", "SCANS_TRANSFORMED", "POINTS"},
     ),
     "registerscans": (
         {"CONTROL", "TARGETS", "MATCHING", "SIGMA", "CONTROL_SIGMA", "TOLERANCE", "MODEL", "CRS"}

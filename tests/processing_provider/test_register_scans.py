@@ -109,6 +109,19 @@ def test_layers_opened_by_hand_are_styled(run, lists, outputs):
     ]
 
 
+def test_the_words_of_the_legend_are_not_pushed_out_by_long_arrows(run, lists, outputs):
+    from qgis.core import QgsLayerTree, QgsLayerTreeModel, QgsVectorLayer
+
+    run("registerscans", **lists, **outputs)
+    layer, tree = QgsVectorLayer(outputs["RESIDUALS"], "residuals"), QgsLayerTree()
+    node = tree.addLayer(layer)
+    model = QgsLayerTreeModel(tree)
+    entries = model.layerLegendNodes(node)
+
+    assert entries[0].data(0).startswith("Residual, ")
+    assert max(entry.minimumIconSize().width() for entry in entries) < 50
+
+
 def test_the_report_is_a_page_for_the_results_viewer(provider, run, lists, outputs):
     definition = provider.algorithm("registerscans").outputDefinition("REPORT")
     run("registerscans", **lists, **outputs)

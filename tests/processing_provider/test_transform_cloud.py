@@ -62,7 +62,12 @@ def refuse(transform):
 def test_each_cloud_is_written_where_its_scan_is_registered(transform, tmp_path, feedback):
     result = transform("hall.laz", "attic.xyz")
 
-    assert result == {"OUTPUT_FOLDER": str(tmp_path / "out"), "SCANS_TRANSFORMED": 2, "POINTS": 100}
+    assert result == {
+        "OUTPUT_FOLDER": str(tmp_path / "out"),
+        "CLOUDS": [str(tmp_path / "out" / name) for name in ("hall.laz", "attic.xyz")],
+        "SCANS_TRANSFORMED": 2,
+        "POINTS": 100,
+    }
     assert {file.name for file in (tmp_path / "out").iterdir()} == {"hall.laz", "attic.xyz"}
     hall = laspy.read(tmp_path / "out" / "hall.laz")
     np.testing.assert_allclose(hall.xyz, MOVED, rtol=0, atol=6e-5)
@@ -113,11 +118,10 @@ def test_without_any_registered_scan_nothing_is_written(refuse, tmp_path):
 
 def test_a_folder_stands_for_its_clouds_and_not_for_the_lists_beside_them(transform, scans, tmp_path):
     (scans / "yard.laz").unlink()
-    (scans / "attic.xyz").rename(scans / "attic.txt")
-    result = transform(INPUT=str(scans))
+    np.savetxt(scans / "hall.txt", POINTS, "%.3f")
+    transform(INPUT=str(scans))
 
-    assert result["SCANS_TRANSFORMED"] == 1
-    assert [path.name for path in (tmp_path / "out").iterdir()] == ["hall.laz"]
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"hall.laz", "attic.xyz"}
 
 
 def test_nothing_is_written_if_one_cloud_turns_out_to_be_damaged(refuse, scans, tmp_path):
