@@ -34,7 +34,8 @@ def shifts(estimates):
 def test_grafarend_similarity():
     scan, estimates = transform("grafarend", Model.SIMILARITY, 1.0)
 
-    assert round(scan.scale, 16) == pytest.approx(1.0000055825198515, abs=3e-16)
+    # The last of the printed digits depends on the processor.
+    assert round(scan.scale, 15) == round(1.0000055825198515, 15)
     assert printed(shifts(estimates), 7) == printed([641.8804252804, 68.6553454548, 416.3981847838], 7)
     angles = [estimates[f"rotation_{axis}"].value / SECOND for axis in "xyz"]
     assert printed(angles, 6) == [0.998498, -0.893696, -0.993088]
