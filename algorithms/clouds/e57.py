@@ -145,6 +145,7 @@ class E57Source(Source):
             intensity.astype(np.uint16) if self.has_intensity else None,
             to_uint16(rgb) if self.has_rgb else None,
             {name: attributes[name].astype(kind) for name, kind in self.attributes},
+            np.full(len(xyz), scan.number),
         )
 
 

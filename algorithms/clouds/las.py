@@ -81,12 +81,15 @@ class LasSource(Source):
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
-        wanted = Selection.base() | Selection.INTENSITY | Selection.RGB | Selection.Z
+        wanted = (
+            Selection.base() | Selection.INTENSITY | Selection.RGB | Selection.Z | Selection.POINT_SOURCE_ID
+        )
         for points in self.records(progress, size, wanted):
             yield Chunk(
                 coordinates(points, self.scales, self.offsets - origin),
                 points["intensity"].copy() if self.has_intensity else None,
                 self._scaled_colour(points) if self.has_rgb else None,
+                scan=points["point_source_id"].copy(),
             )
 
     def records(

@@ -43,7 +43,7 @@ class PtxSource(Source):
         InputError
             If the file is no PTX, is truncated or holds no points.
         """
-        sample = next((points for points, _ in _blocks(path, SAMPLE) if len(points)), None)
+        sample = next((points for points, *_ in _blocks(path, SAMPLE) if len(points)), None)
         if sample is None:
             raise no_points(path)
         width = sample.shape[1]
@@ -60,7 +60,7 @@ class PtxSource(Source):
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")
-        for points, fraction in _blocks(self.path, size):
+        for points, scan, fraction in _blocks(self.path, size):
             full = np.zeros((len(points), WIDTHS[-1]))
             full[:, : points.shape[1]] = points
             if len(points):
@@ -68,16 +68,18 @@ class PtxSource(Source):
                     full[:, :3] - origin,
                     to_uint16(full[:, 3] * 65535) if self.has_intensity else None,
                     to_uint16(full[:, 4:] * self.rgb_factor) if self.has_rgb else None,
+                    scan=np.full(len(points), scan),
                 )
             progress.update(fraction)
 
 
-def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, float]]:
-    """Yield the cells that hold a point, shape (n, 3, 4 or 7), and the fraction of the file read so far."""
+def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, int, float]]:
+    """Yield the cells that hold a point, shape (n, 3, 4 or 7), their scan, and the fraction read so far."""
     try:
         length = path.stat().st_size
         with path.open(encoding="utf-8", errors="replace") as stream:
             number = 1
+            scan = 0
             while header := _read_header(path, stream, number):
                 cells, pose = header
                 number, left, width = number + 10, cells, None
@@ -88,7 +90,8 @@ def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, float]]:
                     width = width or _width(path, lines[0], number)
                     cell = read_numbers(path, lines, number, width)
                     number, left = number + len(lines), left - len(lines)
-                    yield _points(cell, pose), stream.buffer.tell() / length
+                    yield _points(cell, pose), scan, stream.buffer.tell() / length
+                scan += 1
     except OSError as error:
         raise unreadable(path, error) from error
 

@@ -27,12 +27,15 @@ class Chunk:
         0..65535; None if the file has no colour.
     attributes : dict of str to ndarray, shape (n,)
         What else the points have, by name; see `Source.attributes`.
+    scan : ndarray of int, shape (n,), or None
+        Which scan of the file each point is from; None if the file does not tell.
     """
 
     xyz: np.ndarray
     intensity: Optional[np.ndarray]
     rgb: Optional[np.ndarray]
     attributes: dict[str, np.ndarray] = field(default_factory=dict)
+    scan: Optional[np.ndarray] = None
 
 
 @dataclass(frozen=True)
