@@ -10,7 +10,7 @@ class InputError(IchnographError):
 
 
 class MissingPackageError(InputError):
-    """A file that cannot be read without packages that are not installed.
+    """A file that cannot be read or written without packages that are not installed.
 
     Parameters
     ----------
@@ -18,12 +18,15 @@ class MissingPackageError(InputError):
         The file.
     modules : tuple of str
         As they are imported.
+    done : str
+        What cannot be done with it.
     """
 
-    def __init__(self, what: str, modules: tuple) -> None:
-        super().__init__(f"{what} cannot be read without {' and '.join(modules)}; install what is missing.")
+    def __init__(self, what: str, modules: tuple, done: str = "read") -> None:
+        super().__init__(f"{what} cannot be {done} without {' and '.join(modules)}; install what is missing.")
         self.what = what
         self.modules = modules
+        self.done = done
 
 
 class NothingFoundError(IchnographError):

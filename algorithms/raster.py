@@ -7,6 +7,7 @@ import numpy as np
 import rasterio
 from affine import Affine
 from rasterio.crs import CRS
+from rasterio.enums import ColorInterp
 from rasterio.errors import RasterioError
 
 from .errors import InputError
@@ -15,9 +16,18 @@ from .files import atomic_output
 NODATA = -9999.0
 """Marks pixels without a value in float rasters."""
 
+PICTURE = ("red", "green", "blue")
+COLOURS = {name: ColorInterp[name] for name in (*PICTURE, "alpha")}
+"""Bands with a meaning of their own."""
+
 
 def write_raster(
-    path: Path, bands: dict, transform: Affine, crs: Optional[CRS], nodata: Optional[float] = None
+    path: Path,
+    bands: dict,
+    transform: Affine,
+    crs: Optional[CRS],
+    nodata: Optional[float] = None,
+    tags: Optional[dict] = None,
 ) -> None:
     """Write a tiled, compressed GeoTIFF.
 
@@ -26,12 +36,15 @@ def write_raster(
     path : Path
         Replaced only when the new file is whole.
     bands : dict of str to ndarray, shape (rows, columns)
-        Band descriptions and values, all of one type; nan becomes `NODATA` in float bands.
+        Band descriptions and values, all of one type; nan becomes `NODATA` in float bands. Red, green and
+        blue are a picture, and alpha tells where it has pixels.
     transform : Affine
         From (column, row) to world coordinates.
     crs : CRS or None
     nodata : float, optional
         Value of integer bands that means none.
+    tags : dict, optional
+        What else the file says of itself.
 
     Raises
     ------
@@ -57,9 +70,12 @@ def write_raster(
         "zlevel": 1,
         "num_threads": "all_cpus",
         "BIGTIFF": "IF_SAFER",
+        **({"photometric": "RGB"} if set(PICTURE) <= set(bands) else {}),
     }
     with atomic_output(path) as temporary:
         with rasterio.open(temporary, "w", **profile) as raster:
+            raster.update_tags(**(tags or {}))
+            raster.colorinterp = [COLOURS.get(name, ColorInterp.undefined) for name in bands]
             for number, (name, values) in enumerate(bands.items(), start=1):
                 raster.set_band_description(number, name)
                 raster.update_tags(number, **_statistics(values))

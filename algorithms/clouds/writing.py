@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Optional, Union
+from typing import Optional, TextIO, Union
 
 import laspy
 import lazrs
@@ -59,13 +59,13 @@ def write_cloud(
         If `kept` is empty.
     """
     target = Path(path)
-    _check_target(cloud, target)
+    check_target(cloud, target)
     if not len(kept):
         raise NothingFoundError(f"No point is left to write to {target}.")
     with atomic_output(target) as temporary:
         if target.suffix.lower() in SEPARATORS:
             written = _write_text(cloud, kept, temporary, progress)
-        elif _have_one_point_format(cloud):
+        elif have_one_point_format(cloud):
             written = _copy_records(cloud, kept, temporary, progress)
         else:
             written = _write_las(cloud, kept, temporary, progress)
@@ -74,7 +74,14 @@ def write_cloud(
     return written
 
 
-def _check_target(cloud: Cloud, target: Path) -> None:
+def check_target(cloud: Cloud, target: Path) -> None:
+    """Refuse a path that cannot be written.
+
+    Raises
+    ------
+    InputError
+        If its extension is not known, or it is an input.
+    """
     writable = (*LAS_EXTENSIONS, *SEPARATORS)
     if target.suffix.lower() not in writable or target.name.lower().endswith(".copc.laz"):
         raise InputError(
@@ -103,29 +110,37 @@ def _kept_chunks(cloud: Cloud, kept: np.ndarray, progress: Progress) -> Iterator
 
 
 def _write_text(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) -> int:
-    has_intensity = any(source.has_intensity for source in cloud.sources)
-    has_rgb = any(source.has_rgb for source in cloud.sources)
     written = 0
     with path.open("w", encoding="utf-8", newline="") as stream:
         for chunk in _kept_chunks(cloud, kept, progress):
-            table = pd.DataFrame(chunk.xyz + cloud.origin, columns=["x", "y", "z"])
-            if has_intensity:
-                table["intensity"] = 0 if chunk.intensity is None else chunk.intensity
-            if has_rgb:
-                colour = 0 if chunk.rgb is None else np.rint(chunk.rgb / 257).astype(np.uint8)
-                table[["red", "green", "blue"]] = colour
-            table.to_csv(
-                stream,
-                sep=SEPARATORS[path.suffix.lower()],
-                header=stream.tell() == 0,
-                index=False,
-                float_format="%.5f",
-            )
-            written += len(table)
+            append_rows(table_of(cloud, chunk), stream, path)
+            written += len(chunk.xyz)
     return written
 
 
-def _have_one_point_format(cloud: Cloud) -> bool:
+def table_of(cloud: Cloud, chunk: Chunk) -> pd.DataFrame:
+    """Return points as rows of what all text files of a cloud have."""
+    table = pd.DataFrame(chunk.xyz + cloud.origin, columns=["x", "y", "z"])
+    if any(source.has_intensity for source in cloud.sources):
+        table["intensity"] = 0 if chunk.intensity is None else chunk.intensity
+    if any(source.has_rgb for source in cloud.sources):
+        colour = 0 if chunk.rgb is None else np.rint(chunk.rgb / 257).astype(np.uint8)
+        table[["red", "green", "blue"]] = colour
+    return table
+
+
+def append_rows(table: pd.DataFrame, stream: TextIO, path: Path) -> None:
+    """Write rows to a text file, after a header if they are its first."""
+    table.to_csv(
+        stream,
+        sep=SEPARATORS[path.suffix.lower()],
+        header=stream.tell() == 0,
+        index=False,
+        float_format="%.5f",
+    )
+
+
+def have_one_point_format(cloud: Cloud) -> bool:
     """Tell whether the raw records of all files fit into one output."""
     if not all(isinstance(source, LasSource) for source in cloud.sources):
         return False
@@ -149,14 +164,14 @@ def _copy_records(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress
     header, evlrs = copied_header(first.path)
     if first.crs is None and cloud.crs is not None:
         evlrs = replace_crs(header, evlrs, cloud.crs)
-    header.scales = _common_scales(cloud)
+    header.scales = common_scales(cloud)
     start = written = 0
     with las_writer(path, header) as writer:
         for source, part in parts(cloud.sources, progress):
             for records in source.records(part, CHUNK_SIZE):
                 points = records[_rows(kept, start, len(records))]
                 start += len(records)
-                _rescale(points, source, header, path)
+                rescale(points, source, header, path)
                 writer.write_points(laspy.PackedPointRecord(points, writer.header.point_format))
                 written += len(points)
         if evlrs:
@@ -192,7 +207,7 @@ def _write_las(cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress) -
         progress.update(0.0, "The point formats differ, so only coordinates, intensity and colour are kept.")
     has_rgb = any(source.has_rgb for source in cloud.sources)
     header = laspy.LasHeader(version="1.4", point_format=7 if has_rgb else 6)
-    header.scales, header.offsets = _common_scales(cloud), cloud.origin
+    header.scales, header.offsets = common_scales(cloud), cloud.origin
     replace_crs(header, [], cloud.crs)
     written = 0
     with las_writer(path, header) as writer:
@@ -241,7 +256,7 @@ def las_writer(path: Path, header: laspy.LasHeader) -> Iterator[laspy.LasWriter]
         raise OSError(str(error)) from error
 
 
-def _common_scales(cloud: Cloud) -> np.ndarray:
+def common_scales(cloud: Cloud) -> np.ndarray:
     """Return the scales (m) at which the coordinates of all files can be stored."""
     files = [source for source in cloud.sources if isinstance(source, LasSource)]
     if len(files) == len(cloud.sources):
@@ -254,7 +269,7 @@ def _common_scales(cloud: Cloud) -> np.ndarray:
     return np.maximum(finest, FINEST_SCALE)
 
 
-def _rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, path: Path) -> None:
+def rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, path: Path) -> None:
     """Bring the coordinates from the scale and offset of `source` to those of `header`."""
     for axis, name in enumerate("XYZ"):
         scale, shift = source.scales[axis], source.offsets[axis] - header.offsets[axis]

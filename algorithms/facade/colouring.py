@@ -1,0 +1,139 @@
+"""Details of one plane that only their colour tells from the wall."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .fusing import components, fuse_by_intensity, fuse_by_soft_borders, largest_first
+from .growing import absorb, grow_regions
+from .mesh import Mesh
+from .seeds import find_seeds
+from .settings import Settings
+
+SMALLEST_REGION = 0.25
+"""Of the smallest detail: regions below are specks."""
+
+BAND, CORE = 3.0, 10.0
+"""Points nearer to a border than this many spacings may be mixed; those up to there tell its two colours."""
+
+BEAM = 0.01
+"""A band is at least as wide as this: laser beams are rarely wider (m)."""
+
+COMPARED = 6
+"""Points on either side that a point at a border is compared with."""
+
+
+@dataclass(frozen=True)
+class Coloured:
+    """The regions of one plane.
+
+    Attributes
+    ----------
+    labels : ndarray of int32, shape (n,)
+        0 for the wall, details from 1.
+    regions, surfaces : int
+        Regions of one colour, and surfaces after their fusion.
+    variance : float
+        Vr that was used.
+    """
+
+    labels: np.ndarray
+    regions: int
+    surfaces: int
+    variance: float
+
+
+def find_coloured(
+    mesh: Mesh,
+    linked: np.ndarray,
+    sizes: np.ndarray,
+    rgb: np.ndarray,
+    relative: Optional[np.ndarray],
+    threshold: float,
+    settings: Settings,
+) -> Coloured:
+    """Grow regions of one colour, fuse them, and return the pieces that are no wall.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Of the n points of the plane.
+    linked : ndarray of bool, shape (k,)
+        Its edges between neighbours.
+    sizes : ndarray of float64, shape (n,)
+        The area that each point stands for (m2).
+    rgb : ndarray of float32, shape (n, 3)
+    relative : ndarray of float32, shape (n,), or None
+        Relative intensities, if there are any.
+    threshold : float
+        f.
+    settings : Settings
+    """
+    seeds = find_seeds(mesh.points, rgb, settings.seed_radius)
+    variance = seeds.automatic_variance() if settings.seed_variance is None else settings.seed_variance
+    accepted = seeds.accepted(settings.seed_colour, variance)
+    grown = grow_regions(mesh, linked, rgb, accepted, variance, settings.grow_colour)
+    smallest = settings.smallest_area
+    regions = absorb(mesh, linked, rgb, grown, np.bincount(grown, sizes) >= SMALLEST_REGION * smallest)
+    if relative is None:
+        surfaces = fuse_by_soft_borders(mesh, linked, regions, rgb, settings.seed_colour)
+    else:
+        surfaces = fuse_by_intensity(regions, relative, threshold)
+    surfaces = largest_first(surfaces, sizes)
+    pieces = components(mesh, linked, surfaces)
+    details = (np.bincount(pieces, sizes) >= smallest) & (surfaces[_any_of(pieces)] > 1)
+    labels = np.where(details, np.cumsum(details), 0).astype(np.int32)[pieces]
+    return Coloured(labels, int(regions.max(initial=0)), int(surfaces.max(initial=0)), variance)
+
+
+def _any_of(pieces: np.ndarray) -> np.ndarray:
+    """Return one point of each piece."""
+    return np.unique(pieces, return_index=True)[1]
+
+
+def divide_at_half(
+    mesh: Mesh, linked: np.ndarray, rgb: np.ndarray, inside: np.ndarray, spacing: float, colour: float
+) -> np.ndarray:
+    """Return which points are of a detail, with those at its border given to the side that they resemble.
+
+    The laser spot is mixed of both colours there, and the region that grew first took all of them. Divided
+    where either side has half of the spot, neither gains.
+
+    Parameters
+    ----------
+    mesh, linked, rgb
+        As in `find_coloured`.
+    inside : ndarray of bool, shape (n,)
+    spacing : float
+        Of the points (m).
+    colour : float
+        Two sides that differ by less are left as they are.
+    """
+    first, second = mesh.edges[linked].T
+    mixed = inside[first] != inside[second]
+    contacts = mesh.points[np.unique(np.concatenate([first[mixed], second[mixed]]))]
+    if not len(contacts):
+        return inside
+    band = max(BAND * spacing, BEAM)
+    reach = band + (CORE - BAND) * spacing
+    low, high = contacts.min(axis=0) - reach, contacts.max(axis=0) + reach
+    around = np.flatnonzero(((mesh.points > low) & (mesh.points < high)).all(axis=1))
+    distances, _ = cKDTree(contacts).query(mesh.points[around], distance_upper_bound=reach)
+    near, core = around[distances <= band], around[(distances > band) & np.isfinite(distances)]
+    own, other = core[inside[core]], core[~inside[core]]
+    if min(len(own), len(other)) < COMPARED:
+        return inside
+    own, other = _mean_of_nearest(mesh, rgb, own, near), _mean_of_nearest(mesh, rgb, other, near)
+    contrast = own - other
+    squared = np.sum(contrast**2, axis=1)
+    shares = np.sum((rgb[near] - other) * contrast, axis=1) / np.maximum(squared, 1e-9)
+    divided = inside.copy()
+    divided[near] = np.where(squared > colour**2, shares > 0.5, inside[near])
+    return divided
+
+
+def _mean_of_nearest(mesh: Mesh, rgb: np.ndarray, known: np.ndarray, asked: np.ndarray) -> np.ndarray:
+    _, nearest = cKDTree(mesh.points[known]).query(mesh.points[asked], k=COMPARED)
+    return rgb[known][nearest].mean(axis=1)

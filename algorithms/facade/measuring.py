@@ -1,0 +1,207 @@
+"""Measure the details of a facade: from the points of a scan to an elevation."""
+
+from dataclasses import replace
+from typing import Optional
+
+import numpy as np
+from shapely.affinity import translate
+from shapely.geometry import MultiPolygon, Polygon
+from shapely.ops import unary_union
+
+from ..progress import Progress
+from .colouring import Coloured, find_coloured
+from .detailing import Found, Scene, coloured_details, hole_details, projecting_details
+from .holes import NEAR, Hole, classify, find_gaps
+from .intensity import make_relative
+from .model import COLOURED, PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation
+from .planes import find_planes
+from .regular import make_outline
+from .settings import Settings
+from .surface import Surface, make_surface
+
+PARALLEL = 10.0
+"""Planes before the wall are turned against it by less (degrees)."""
+
+FARTHEST = 6.0
+"""What lies further behind the wall tells nothing of it (m)."""
+
+MILLIMETRES = 3
+"""Decimals of the place of u, v = 0, 0 against the wall."""
+
+ROW = 0.5
+"""Details are numbered row by row, from above, in rows of this height (m)."""
+
+
+def measure_facade(points: Points, settings: Settings, progress: Progress = Progress()) -> Elevation:
+    """Find the planes of a facade, and measure what the main one holds.
+
+    Parameters
+    ----------
+    points : Points
+    settings : Settings
+    progress : Progress
+
+    Raises
+    ------
+    NothingFoundError
+        If there is no upright plane.
+    """
+    segmentation = find_planes(points, settings.distance, progress=progress.part(0.0, 0.2))
+    frame = frame_of(segmentation.planes[0], points.origin)
+    scene = Scene(frame.local(points.xyz, points.origin), points.rgb, segmentation.labels)
+    progress.update(0.2, "Triangulating the wall")
+    wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
+    progress.update(
+        0.45, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
+    )
+    coloured = _coloured(points, wall, settings, progress)
+    progress.update(0.65, "Telling openings from shadows")
+    holes = _holes(scene, wall, settings)
+    found = [*hole_details(scene, wall, holes, settings)]
+    found += coloured_details(scene, wall, coloured, settings)
+    for label in _before(segmentation, settings):
+        surface = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == label), settings)
+        found += projecting_details(scene, label, surface, settings)
+    progress.update(0.85, "Making outlines")
+    return _elevation(points, scene, frame, wall, holes, found, settings)
+
+
+def frame_of(plane: Plane, origin: np.ndarray) -> Frame:
+    """Return the frame of a plane, with u, v, w = 0 amid its points, which are relative to `origin`."""
+    east, north, up = plane.normal
+    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
+    tilt = float(np.degrees(np.arctan2(up, np.hypot(east, north))))
+    return Frame(plane.centre + origin, azimuth, tilt)
+
+
+def _coloured(points: Points, wall: Surface, settings: Settings, progress: Progress) -> Coloured:
+    """Return the coloured regions of the wall; one region if the points have no colour."""
+    if points.rgb is None:
+        progress.update(
+            0.45, "The points have no colour, so only openings, recesses and projections are found."
+        )
+        return Coloured(np.zeros(len(wall.rows), np.int32), 1, 1, np.nan)
+    relative, threshold = _relative(points, wall, settings, progress)
+    coloured = find_coloured(
+        wall.mesh, wall.linked, wall.sizes, points.rgb[wall.rows], relative, threshold, settings
+    )
+    progress.update(
+        0.65,
+        f"{coloured.regions} regions of one colour (SEED_VARIANCE {coloured.variance:.0f}) are "
+        f"{coloured.surfaces} surfaces.",
+    )
+    return coloured
+
+
+def _relative(
+    points: Points, wall: Surface, settings: Settings, progress: Progress
+) -> tuple[Optional[np.ndarray], float]:
+    """Return the relative intensities of the wall, and f."""
+    if points.intensity is None:
+        progress.update(
+            0.45, "The points have no intensity, so the edges of cast shadows cannot be told from details."
+        )
+        return None, 0.0
+    relative = make_relative(wall.mesh.points, points.intensity[wall.rows], points.scan[wall.rows])
+    threshold = relative.automatic_threshold if settings.intensity is None else settings.intensity
+    progress.update(
+        0.5, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
+    )
+    return relative.values, threshold
+
+
+def _holes(scene: Scene, wall: Surface, settings: Settings) -> list[Hole]:
+    w = scene.uvw[:, 2]
+    behind = scene.uvw[(scene.labels >= 0) & (w < -settings.distance) & (w > -FARTHEST)]
+    gaps = find_gaps(wall.outline, settings.smallest_area)
+    return [classify(gap, behind, settings.distance, wall.spacing) for gap in gaps]
+
+
+def _before(segmentation: Segmentation, settings: Settings) -> list[int]:
+    """Return the labels of the planes that lie before the wall and along it."""
+    main = segmentation.planes[0]
+    return [
+        label
+        for label, plane in enumerate(segmentation.planes[1:], start=2)
+        if plane.normal @ main.normal > np.cos(np.radians(PARALLEL))
+        and main.distances(plane.centre) > settings.distance
+    ]
+
+
+def _elevation(
+    points: Points,
+    scene: Scene,
+    frame: Frame,
+    wall: Surface,
+    holes: list[Hole],
+    found: list[Found],
+    settings: Settings,
+) -> Elevation:
+    made = [
+        (item, make_outline(item.border, settings.regularise)) for item in found if _is_large(item, settings)
+    ]
+    holed = [outline.polygon for item, outline in made if item.kind not in (COLOURED, PROJECTION)]
+    before = unary_union([outline.polygon for item, outline in made if item.kind == PROJECTION])
+    unseen = [hole.polygon.difference(before) for hole in holes if hole.kind is None]
+    unseen = [part for part in _parts(unary_union(unseen)) if part.area >= settings.smallest_area]
+    shells = [Polygon(part.exterior) for part in wall.outline.geoms if part.area >= settings.smallest_area]
+    edge = unary_union([*shells, before, *unseen]).buffer(0.5 * wall.spacing, join_style=2)
+    face = edge.difference(unary_union(holed))
+    left, bottom = np.round(np.array(face.bounds[:2]), MILLIMETRES)
+    moved = Frame(frame.world([[left, bottom, 0.0]])[0], frame.azimuth, frame.tilt)
+    details = [
+        _detail(points, item, translate_outline(outline, -left, -bottom), -left, -bottom)
+        for item, outline in made
+    ]
+    details.sort(
+        key=lambda detail: (-(detail.outline.centroid.y // ROW), detail.outline.centroid.x, detail.kind)
+    )
+    return Elevation(
+        moved,
+        MultiPolygon(_parts(translate(face, -left, -bottom))),
+        tuple(replace(detail, number=number) for number, detail in enumerate(details, start=1)),
+        tuple(translate(part, -left, -bottom) for part in unseen),
+        wall.spacing,
+        _shown(scene, settings),
+    )
+
+
+def _is_large(item: Found, settings: Settings) -> bool:
+    return item.border.ring.area >= settings.smallest_area
+
+
+def _parts(geometry) -> list[Polygon]:
+    return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 0]
+
+
+def translate_outline(outline, u: float, v: float):
+    """Return an outline, moved."""
+    return replace(outline, polygon=translate(outline.polygon, u, v))
+
+
+def _detail(points: Points, item: Found, outline, u: float, v: float) -> Detail:
+    rgb = (
+        None if points.rgb is None or not len(item.rows) else points.rgb[item.rows].mean(axis=0, dtype=float)
+    )
+    intensity = points.intensity
+    return Detail(
+        number=0,
+        kind=item.kind,
+        shape=outline.shape,
+        outline=outline.polygon,
+        raw=translate(item.border.ring, u, v),
+        edges=outline.edges,
+        rms=outline.rms,
+        depth=item.depth,
+        points=len(item.rows),
+        colour=None if rgb is None else tuple(float(value) for value in rgb),
+        intensity=None
+        if intensity is None or not len(item.rows)
+        else float(intensity[item.rows].mean(dtype=float)),
+    )
+
+
+def _shown(scene: Scene, settings: Settings) -> np.ndarray:
+    """Return the rows of the points on the planes of the facade, and not far behind the main one."""
+    w = scene.uvw[:, 2]
+    return np.flatnonzero((scene.labels > 0) | ((scene.labels == 0) & (w < settings.distance) & (w > -NEAR)))

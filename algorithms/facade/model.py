@@ -1,0 +1,237 @@
+"""What the steps of the facade chapter hand to each other. Lengths in metres, angles in degrees."""
+
+from dataclasses import dataclass, field
+from typing import Optional
+
+import numpy as np
+from shapely.geometry import MultiPolygon, Polygon
+
+OPENING, RECESS, COLOURED, PROJECTION = "opening", "recess", "coloured detail", "projection"
+KINDS = (OPENING, RECESS, COLOURED, PROJECTION)
+"""A hole through which nothing near is seen; a hole before a surface; another colour in the same
+plane; and a surface before the plane."""
+
+FREE, RECTANGLE, ARCH = "free", "rectangle", "arch"
+
+
+@dataclass(frozen=True)
+class Points:
+    """All points of a scan.
+
+    Attributes
+    ----------
+    xyz : ndarray of float64, shape (n, 3)
+        Relative to `origin`.
+    origin : ndarray of float64, shape (3,)
+        In the coordinates of the site.
+    rgb : ndarray of float32, shape (n, 3), or None
+        0..255.
+    intensity : ndarray of float32, shape (n,), or None
+        0..65535, as the scanner has it.
+    scan : ndarray of int32, shape (n,)
+        Which scan a point is from; numbers from 0.
+    """
+
+    xyz: np.ndarray
+    origin: np.ndarray
+    rgb: Optional[np.ndarray]
+    intensity: Optional[np.ndarray]
+    scan: np.ndarray
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A plane of a facade (M of the paper, equation 1).
+
+    Attributes
+    ----------
+    normal : ndarray of float64, shape (3,)
+        Of length 1; points to the side of the scanner.
+    centre : ndarray of float64, shape (3,)
+        The mean of its points, relative to the origin of the points.
+    rms : float
+        Of the distances of its points.
+    points : int
+    """
+
+    normal: np.ndarray
+    centre: np.ndarray
+    rms: float
+    points: int
+
+    def distances(self, xyz: np.ndarray) -> np.ndarray:
+        """Return signed distances of points, shape (n, 3), positive on the scanner's side."""
+        return (xyz - self.centre) @ self.normal
+
+
+@dataclass(frozen=True)
+class Segmentation:
+    """The planes of a facade and their points.
+
+    Attributes
+    ----------
+    planes : tuple of Plane
+        The main plane first, the others by falling number of points.
+    labels : ndarray of int16, shape (n,)
+        1 for points of the first plane and so on, 0 for points of none, -1 for points of a plane
+        that is none of the facade, such as the ground or a side wall.
+    """
+
+    planes: tuple[Plane, ...]
+    labels: np.ndarray
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The coordinates of an elevation: u to the right, v up, w out of the wall towards the viewer.
+
+    Attributes
+    ----------
+    origin : ndarray of float64, shape (3,)
+        Where u, v and w are 0, in the coordinates of the site.
+    azimuth : float
+        Of w, clockwise from grid north (degrees).
+    tilt : float
+        Of w above the horizon (degrees); 0 for a plumb wall.
+    """
+
+    origin: np.ndarray
+    azimuth: float
+    tilt: float
+
+    @property
+    def axes(self) -> np.ndarray:
+        """The directions of u, v and w in the site, as rows, shape (3, 3)."""
+        azimuth, tilt = np.radians([self.azimuth, self.tilt])
+        east, north = np.sin(azimuth), np.cos(azimuth)
+        out = np.array([east * np.cos(tilt), north * np.cos(tilt), np.sin(tilt)])
+        right = np.array([-north, east, 0.0])
+        return np.array([right, np.cross(out, right), out])
+
+    def local(self, xyz: np.ndarray, origin: np.ndarray) -> np.ndarray:
+        """Return u, v, w, shape (n, 3), of points that are relative to `origin`."""
+        return (xyz - (self.origin - origin)) @ self.axes.T
+
+    def world(self, uvw: np.ndarray) -> np.ndarray:
+        """Return the places in the site, shape (n, 3), of points (u, v, w)."""
+        return self.origin + np.asarray(uvw) @ self.axes
+
+
+@dataclass(frozen=True)
+class Edges:
+    """Standard deviations of where the four sides of a detail lie (m); nan where nothing was seen.
+
+    Attributes
+    ----------
+    left, right, bottom, top : float
+    """
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+
+
+@dataclass(frozen=True)
+class Detail:
+    """A detail of a facade, in its elevation.
+
+    Attributes
+    ----------
+    number : int
+        From 1.
+    kind : str
+        One of `KINDS`.
+    shape : str
+        `RECTANGLE`, `ARCH` or `FREE`.
+    outline : Polygon
+        In u, v; regular if `shape` is.
+    raw : Polygon
+        As the points have it.
+    edges : Edges
+    rms : float
+        Of the points of the raw outline against the final one (m).
+    depth : float
+        Mean w of its surface; negative behind the wall, nan where none was seen.
+    points : int
+        On its surface.
+    colour : tuple of 3 float, or None
+        Mean, 0..255.
+    intensity : float or None
+        Mean, as the scanner has it.
+    """
+
+    number: int
+    kind: str
+    shape: str
+    outline: Polygon
+    raw: Polygon
+    edges: Edges
+    rms: float
+    depth: float
+    points: int
+    colour: Optional[tuple[float, float, float]]
+    intensity: Optional[float]
+
+    @property
+    def width(self) -> float:
+        """From the leftmost to the rightmost place of the outline (m)."""
+        left, _, right, _ = self.outline.bounds
+        return right - left
+
+    @property
+    def height(self) -> float:
+        """From the lowest to the highest place of the outline (m)."""
+        _, bottom, _, top = self.outline.bounds
+        return top - bottom
+
+    @property
+    def sill(self) -> float:
+        """The lowest place of the outline above the foot of the wall (m)."""
+        return self.outline.bounds[1]
+
+    @property
+    def area(self) -> float:
+        """The area within the outline (m2)."""
+        return self.outline.area
+
+    @property
+    def width_std(self) -> float:
+        """The standard deviation of the width (m); nan where a side was not seen."""
+        return float(np.hypot(self.edges.left, self.edges.right))
+
+    @property
+    def height_std(self) -> float:
+        """The standard deviation of the height (m); nan where a side was not seen."""
+        return float(np.hypot(self.edges.bottom, self.edges.top))
+
+
+@dataclass(frozen=True)
+class Elevation:
+    """A facade, measured.
+
+    Attributes
+    ----------
+    frame : Frame
+        u is 0 at the left end of the wall, v at its foot.
+    wall : MultiPolygon
+        In u, v; with the openings and recesses as holes, but without what hides it.
+    details : tuple of Detail
+        By number.
+    unseen : tuple of Polygon
+        Places of the wall that something before it hides, or where nothing came back.
+    spacing : float
+        Median distance between neighbouring points of the wall (m).
+    rows : ndarray of int64, shape (k,)
+        The points that belong to the facade and to what lies behind it, without what stands before it.
+    warnings : tuple of str
+        What the user should know, in sentences.
+    """
+
+    frame: Frame
+    wall: MultiPolygon
+    details: tuple[Detail, ...]
+    unseen: tuple[Polygon, ...]
+    spacing: float
+    rows: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,71 @@
+"""Points thinned to an even grid, so that a plane counts by its area and not by its number of points."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+MOST = 100_000
+"""Voxels; their size grows until there are no more."""
+
+NEIGHBOURS = 10
+"""Voxels from which the normal of one is computed."""
+
+
+@dataclass(frozen=True)
+class Voxels:
+    """Cubes that hold points.
+
+    Attributes
+    ----------
+    size : float
+        Side of a cube (m).
+    centres : ndarray of float64, shape (k, 3)
+        Means of their points, relative to the origin of the points.
+    normals : ndarray of float64, shape (k, 3)
+        Of length 1, of either sign.
+    of_point : ndarray of int64, shape (n,)
+        The cube of each point.
+    """
+
+    size: float
+    centres: np.ndarray
+    normals: np.ndarray
+    of_point: np.ndarray
+
+
+def make_voxels(xyz: np.ndarray, size: float) -> Voxels:
+    """Sort points, shape (n, 3), into cubes of at least `size` (m)."""
+    corner = xyz.min(axis=0)
+    while True:
+        cells = ((xyz - corner) / size).astype(np.int64)
+        across = cells.max(axis=0) + 1
+        keys = (cells[:, 0] * across[1] + cells[:, 1]) * across[2] + cells[:, 2]
+        _, of_point, counts = np.unique(keys, return_inverse=True, return_counts=True)
+        if len(counts) <= MOST:
+            break
+        # The cubes lie on surfaces.
+        size *= 1.1 * np.sqrt(len(counts) / MOST)
+    of_point = of_point.reshape(-1)
+    sums = [np.bincount(of_point, xyz[:, axis]) for axis in range(3)]
+    centres = np.stack(sums, axis=1) / counts[:, None]
+    return Voxels(float(size), centres, _normals(centres), of_point)
+
+
+def _normals(centres: np.ndarray) -> np.ndarray:
+    _, near = cKDTree(centres).query(centres, k=min(NEIGHBOURS, len(centres)), workers=-1)
+    around = centres[near.reshape(len(centres), -1)]
+    around = around - around.mean(axis=1, keepdims=True)
+    moments = np.einsum("nki,nkj->nij", around, around)
+    return np.linalg.eigh(moments)[1][:, :, 0]
+
+
+def square_means(points: np.ndarray, size: float) -> np.ndarray:
+    """Return the means of the points, shape (n, 2), in each square of `size` (m)."""
+    cells = np.floor(points / size).astype(np.int64)
+    cells -= cells.min(axis=0)
+    _, of_point, counts = np.unique(
+        cells[:, 0] * (cells[:, 1].max() + 1) + cells[:, 1], return_inverse=True, return_counts=True
+    )
+    sums = [np.bincount(of_point.reshape(-1), points[:, axis]) for axis in range(2)]
+    return np.stack(sums, axis=1) / counts[:, None]
