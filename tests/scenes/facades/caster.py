@@ -1,0 +1,171 @@
+"""Rays from a scanner, and what they meet: planar panels and spheres of leaves."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from shapely.geometry import Polygon
+
+LEAF = -2
+NOTHING = -1
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A planar polygon.
+
+    Attributes
+    ----------
+    origin : ndarray, shape (3,)
+        Of the polygon's coordinates, in u, v, w of the facade.
+    axes : ndarray, shape (2, 3)
+        Their directions, of length 1 and at right angles.
+    outline : Polygon
+    colour : tuple of 3 float
+        0..255 in full light.
+    reflectance : float
+        For the laser, 0..1.
+    returns : float
+        Share of rays that come back; the others pass, as through glass.
+    """
+
+    origin: np.ndarray
+    axes: np.ndarray
+    outline: Polygon
+    colour: tuple[float, float, float]
+    reflectance: float
+    returns: float = 1.0
+
+    @property
+    def normal(self) -> np.ndarray:
+        return np.cross(*self.axes)
+
+
+@dataclass(frozen=True)
+class Leaves:
+    """A sphere through which rays pass until they meet a leaf.
+
+    Attributes
+    ----------
+    centre : tuple of 3 float
+    radius : float
+    density : float
+        Leaves that a ray meets per metre.
+    """
+
+    centre: tuple[float, float, float]
+    radius: float
+    density: float
+
+
+@dataclass(frozen=True)
+class Things:
+    """Panels and leaves as arrays."""
+
+    frames: np.ndarray
+    boxes: np.ndarray
+    starts: np.ndarray
+    edges: np.ndarray
+    returns: np.ndarray
+    leaves: np.ndarray
+
+
+def flatten(panels: tuple, leaves: tuple) -> Things:
+    """Return panels and leaves as the arrays that `cast` takes."""
+    rings = [_edges(panel.outline) for panel in panels]
+    starts = np.cumsum([0] + [len(ring) for ring in rings])
+    frames = np.array([[panel.origin, *panel.axes, panel.normal] for panel in panels])
+    return Things(
+        frames,
+        np.array([panel.outline.bounds for panel in panels]),
+        starts,
+        np.concatenate(rings),
+        np.array([panel.returns for panel in panels]),
+        np.array([[*item.centre, item.radius, item.density] for item in leaves]).reshape(-1, 5),
+    )
+
+
+def _edges(outline: Polygon) -> np.ndarray:
+    corners = [np.array(ring.coords) for ring in (outline.exterior, *outline.interiors)]
+    return np.concatenate([np.hstack([ring[:-1], ring[1:]]) for ring in corners])
+
+
+def cast(origin: np.ndarray, directions: np.ndarray, things: Things, seed: int) -> tuple:
+    """Return how far each ray gets, inf if it meets nothing, and which panel it meets.
+
+    Parameters
+    ----------
+    origin : ndarray, shape (3,)
+    directions : ndarray, shape (n, 3)
+        Of length 1.
+    things : Things
+    seed : int
+    """
+    return _cast(
+        origin, directions, things.frames, things.boxes, things.starts, things.edges, things.returns,
+        things.leaves, seed,
+    )  # fmt: skip
+
+
+@njit(cache=True, nogil=True)
+def _cast(origin, directions, frames, boxes, starts, edges, returns, leaves, seed):
+    np.random.seed(seed)
+    reach, met = np.full(len(directions), np.inf), np.full(len(directions), NOTHING)
+    for ray in range(len(directions)):
+        d = directions[ray]
+        for panel in range(len(frames)):
+            place, first, second, normal = frames[panel]
+            slope = d[0] * normal[0] + d[1] * normal[1] + d[2] * normal[2]
+            if abs(slope) < 1e-12:
+                continue
+            t = 0.0
+            for axis in range(3):
+                t += (place[axis] - origin[axis]) * normal[axis]
+            t /= slope
+            if t <= 1e-6 or t >= reach[ray]:
+                continue
+            a, b = 0.0, 0.0
+            for axis in range(3):
+                offset = origin[axis] + t * d[axis] - place[axis]
+                a += offset * first[axis]
+                b += offset * second[axis]
+            box = boxes[panel]
+            if a < box[0] or b < box[1] or a > box[2] or b > box[3]:
+                continue
+            if not _holds(edges[starts[panel] : starts[panel + 1]], a, b):
+                continue
+            if returns[panel] < 1 and np.random.random() > returns[panel]:
+                continue
+            reach[ray], met[ray] = t, panel
+        for item in range(len(leaves)):
+            t = _leaf(origin, d, leaves[item])
+            if t < reach[ray]:
+                reach[ray], met[ray] = t, LEAF
+    return reach, met
+
+
+@njit(cache=True, nogil=True)
+def _holds(edges, a, b):
+    """Tell whether a polygon holds a place, by the crossings of its edges to one side."""
+    inside = False
+    for edge in range(len(edges)):
+        x1, y1, x2, y2 = edges[edge]
+        if (y1 > b) != (y2 > b) and a < x1 + (b - y1) / (y2 - y1) * (x2 - x1):
+            inside = not inside
+    return inside
+
+
+@njit(cache=True, nogil=True)
+def _leaf(origin, d, sphere):
+    """Return how far a ray gets before it meets a leaf; inf if it meets none."""
+    along, squared = 0.0, 0.0
+    for axis in range(3):
+        offset = sphere[axis] - origin[axis]
+        along += offset * d[axis]
+        squared += offset * offset
+    half = sphere[3] ** 2 - (squared - along * along)
+    if half <= 0 or along <= 0:
+        return np.inf
+    half = np.sqrt(half)
+    t = along - half + np.random.exponential(1.0 / sphere[4])
+    return t if t < along + half else np.inf
