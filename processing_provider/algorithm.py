@@ -202,7 +202,7 @@ def _plain_errors() -> Iterator[None]:
         yield
     except MissingPackageError as error:
         sentence = explain_missing(lacking(error.modules))
-        raise QgsProcessingException(f"{error.what} cannot be read: {sentence}") from error
+        raise QgsProcessingException(f"{error.what} cannot be {error.done}: {sentence}") from error
     except IchnographError as error:
         raise QgsProcessingException(str(error)) from error
     except ImportError as error:

@@ -161,6 +161,14 @@ class TableDestination(FileDestination):
 
 
 @dataclass(frozen=True)
+class DrawingDestination(FileDestination):
+    """A drawing."""
+
+    extensions = (".dxf",)
+    filters = "DXF files (*.dxf)"
+
+
+@dataclass(frozen=True)
 class HtmlDestination(FileDestination):
     """A page, which QGIS lists in its results viewer."""
 

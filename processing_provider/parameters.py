@@ -19,6 +19,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
@@ -166,6 +167,39 @@ class Choice(Parameter):
 
 
 @dataclass(frozen=True)
+class Flag(Parameter):
+    """A choice between yes and no, among the advanced parameters."""
+
+    default: bool
+
+    @property
+    def explanation(self) -> str:
+        return f"{self.help} Default {'yes' if self.default else 'no'}."
+
+    def _definition(self) -> QgsProcessingParameterBoolean:
+        definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
+        advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+        definition.setFlags(definition.flags() | advanced)
+        return definition
+
+    def value(self, algorithm, parameters, context) -> bool:
+        # As a string, for QGIS takes any word for yes.
+        text = algorithm.parameterAsString(parameters, self.name, context).strip().lower()
+        words = {
+            "true": True,
+            "yes": True,
+            "1": True,
+            "false": False,
+            "no": False,
+            "0": False,
+            "": self.default,
+        }
+        if text not in words:
+            raise InputError(f"{self.name} must be true or false, not {text}.")
+        return words[text]
+
+
+@dataclass(frozen=True)
 class CloudFiles(Parameter):
     """One or more point cloud files."""
 
@@ -204,21 +238,37 @@ class RasterFile(Parameter):
 
 
 @dataclass(frozen=True)
-class JsonFile(Parameter):
-    """A json file."""
+class PlainFile(Parameter):
+    """A file that is no layer; a subclass says of which kind."""
+
+    kind = ""
 
     def _definition(self) -> QgsProcessingParameterFile:
-        json = "JSON files (*.json);;All files (*)"
-        return QgsProcessingParameterFile(self.name, self.description, fileFilter=json)
+        files = f"{self.kind.upper()} files (*.{self.kind});;All files (*)"
+        return QgsProcessingParameterFile(self.name, self.description, fileFilter=files)
 
     def value(self, algorithm, parameters, context) -> str:
         path = algorithm.parameterAsFile(parameters, self.name, context).strip()
         if not path:
-            raise InputError(f"{self.name} is empty; choose a json file.")
+            raise InputError(f"{self.name} is empty; choose a {self.kind} file.")
         return path
 
     def sources(self, value) -> list:
         return [value]
+
+
+@dataclass(frozen=True)
+class JsonFile(PlainFile):
+    """A json file."""
+
+    kind = "json"
+
+
+@dataclass(frozen=True)
+class TableFile(PlainFile):
+    """A table."""
+
+    kind = "csv"
 
 
 @dataclass(frozen=True)

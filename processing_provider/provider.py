@@ -6,8 +6,11 @@ from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import ICON
+from .compare_lengths import CompareLengthsAlgorithm
 from .density_image import DensityImageAlgorithm
 from .extract_walls import ExtractWallsAlgorithm
+from .facade_details import FacadeDetailsAlgorithm
+from .facade_planes import FacadePlanesAlgorithm
 from .register_scans import RegisterScansAlgorithm
 from .simulate_registration import SimulateRegistrationAlgorithm
 from .site_plan import SitePlanAlgorithm
@@ -25,7 +28,7 @@ class Provider(QgsProcessingProvider):
         return "Ichnograph"
 
     def longName(self) -> str:
-        return "Ichnograph: laser scans to site plans"
+        return "Ichnograph: laser scans to site plans and elevations"
 
     def icon(self) -> QIcon:
         return QIcon(ICON)
@@ -51,5 +54,8 @@ class Provider(QgsProcessingProvider):
             TransformCloudAlgorithm,
             RegisterScansAlgorithm,
             SimulateRegistrationAlgorithm,
+            FacadeDetailsAlgorithm,
+            FacadePlanesAlgorithm,
+            CompareLengthsAlgorithm,
         ):
             self.addAlgorithm(algorithm())

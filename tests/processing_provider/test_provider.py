@@ -19,9 +19,32 @@ NUMBERS = {
     "THRESHOLD_MAX": None,
 }
 SIMULATION = {"TARGETS_PER_SCAN": 5, "SCALE_PPM": 10, "TRIALS": 1000, "SEED": 1, "REACH": None}
-DEFAULTS = {**NUMBERS, **SIMULATION, "SIGMA": 0.003, "CONTROL_SIGMA": 0, "TOLERANCE": None}
+FACADE = {
+    "DISTANCE": 0.05,
+    "SEED_RADIUS": 0.2,
+    "SEED_COLOUR": 30,
+    "SEED_VARIANCE": None,
+    "GROW_COLOUR": 60,
+    "INTENSITY": None,
+    "TRIANGLE_FACTOR": 3,
+    "TRIANGLE_COUNT": 5,
+    "NOISE_ITERATIONS": 10,
+    "ALPHA": None,
+}
+PLANES = {"MIN_POINTS": None, "MAX_PLANES": 10}
+OWN_DEFAULTS = {"facadedetails": {"PIXEL_SIZE": None}}
+DEFAULTS = {
+    **NUMBERS,
+    **SIMULATION,
+    **FACADE,
+    **PLANES,
+    "SIGMA": 0.003,
+    "CONTROL_SIGMA": 0,
+    "TOLERANCE": None,
+}
 WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
 WALL_NUMBERS = {"WALL_COUNT", "WALL_AREA", "WALL_LENGTH"}
+FACADE_FILES = {"ORTHOIMAGE", "DETAILS", "ELEVATION", "SCHEDULE", "DRAWING"}
 REGISTRATION_FILES = {"TRANSFORMS", "RESIDUALS", "CONTROL_OUT", "REPORT"}
 
 CONTRACT = {
@@ -39,6 +62,18 @@ CONTRACT = {
         {"CONTROL", "TARGETS_PER_SCAN", "SIGMA", "SCALE_PPM", "TRIALS", "SEED", "MODEL", "REACH"}
         | {"TABLE", "REPORT"},
         {"TABLE", "REPORT", "SUCCESS_RATE"},
+    ),
+    "facadeplanes": (
+        {"INPUT", "DISTANCE", "CRS", "SEGMENTS", "PLANES"} | {*PLANES},
+        {"SEGMENTS", "PLANES", "PLANE_COUNT"},
+    ),
+    "facadedetails": (
+        {"INPUT", "CRS", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"} | {*FACADE} | FACADE_FILES,
+        {"DETAIL_COUNT", "WALL_AREA"} | FACADE_FILES,
+    ),
+    "comparelengths": (
+        {"SCHEDULE", "REFERENCE", "TABLE", "REPORT"},
+        {"TABLE", "REPORT", "MEAN_DIFFERENCE", "STD_DIFFERENCE", "MAX_DIFFERENCE", "COUNT"},
     ),
     "densityimage": (
         {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY"},
@@ -71,8 +106,9 @@ def test_every_name_is_the_one_that_models_store(algorithm):
 def test_defaults_are_those_of_the_contract(algorithm):
     numbers = [item for item in algorithm.parameterDefinitions() if item.type() == "number"]
 
+    expected = {**DEFAULTS, **OWN_DEFAULTS.get(algorithm.name(), {})}
     assert {item.name(): item.defaultValue() for item in numbers} == {
-        item.name(): DEFAULTS[item.name()] for item in numbers
+        item.name(): expected[item.name()] for item in numbers
     }
 
 
@@ -94,7 +130,7 @@ def test_help_is_plain_text_that_tells_all_parameters(algorithm):
 def test_every_algorithm_can_be_found_and_looked_up(algorithm):
     assert algorithm.displayName()[0].isupper()
     assert algorithm.shortDescription().endswith(".")
-    assert algorithm.group() in ("Site plan", "Clouds", "Registration")
+    assert algorithm.group() in ("Site plan", "Clouds", "Registration", "Facade")
     assert len(algorithm.tags()) > 3
     assert algorithm.helpUrl().endswith(f"/docs/{algorithm.name()}.md")
     assert Path(algorithm.svgIconPath()).is_file()
