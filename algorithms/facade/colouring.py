@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .appearance import SURE, Appearance
 from .fusing import components, fuse_by_intensity, fuse_by_soft_borders, largest_first
 from .growing import absorb, grow_regions
 from .mesh import Mesh
@@ -33,6 +34,8 @@ class Coloured:
     ----------
     labels : ndarray of int32, shape (n,)
         0 for the wall, details from 1.
+    looks : Appearance or None
+        Of the points; None if they have no colour.
     regions, surfaces : int
         Regions of one colour, and surfaces after their fusion.
     variance : float
@@ -40,6 +43,7 @@ class Coloured:
     """
 
     labels: np.ndarray
+    looks: Optional[Appearance]
     regions: int
     surfaces: int
     variance: float
@@ -49,9 +53,7 @@ def find_coloured(
     mesh: Mesh,
     linked: np.ndarray,
     sizes: np.ndarray,
-    rgb: np.ndarray,
-    relative: Optional[np.ndarray],
-    threshold: float,
+    looks: Appearance,
     settings: Settings,
 ) -> Coloured:
     """Grow regions of one colour, fuse them, and return the pieces that are no wall.
@@ -64,28 +66,26 @@ def find_coloured(
         Its edges between neighbours.
     sizes : ndarray of float64, shape (n,)
         The area that each point stands for (m2).
-    rgb : ndarray of float32, shape (n, 3)
-    relative : ndarray of float32, shape (n,), or None
-        Relative intensities, if there are any.
-    threshold : float
-        f.
+    looks : Appearance
+        Of the n points.
     settings : Settings
     """
+    rgb = looks.rgb
     seeds = find_seeds(mesh.points, rgb, settings.seed_radius)
     variance = seeds.automatic_variance() if settings.seed_variance is None else settings.seed_variance
     accepted = seeds.accepted(settings.seed_colour, variance)
-    grown = grow_regions(mesh, linked, rgb, accepted, variance, settings.grow_colour)
+    grown = grow_regions(mesh, linked, looks, accepted, variance, settings.grow_colour)
     smallest = settings.smallest_area
     regions = absorb(mesh, linked, rgb, grown, np.bincount(grown, sizes) >= SMALLEST_REGION * smallest)
-    if relative is None:
+    if looks.relative is None:
         surfaces = fuse_by_soft_borders(mesh, linked, regions, rgb, settings.seed_colour)
     else:
-        surfaces = fuse_by_intensity(regions, relative, threshold)
+        surfaces = fuse_by_intensity(regions, looks.relative, looks.threshold)
     surfaces = largest_first(surfaces, sizes)
     pieces = components(mesh, linked, surfaces)
     details = (np.bincount(pieces, sizes) >= smallest) & (surfaces[_any_of(pieces)] > 1)
     labels = np.where(details, np.cumsum(details), 0).astype(np.int32)[pieces]
-    return Coloured(labels, int(regions.max(initial=0)), int(surfaces.max(initial=0)), variance)
+    return Coloured(labels, looks, int(regions.max(initial=0)), int(surfaces.max(initial=0)), variance)
 
 
 def _any_of(pieces: np.ndarray) -> np.ndarray:
@@ -94,16 +94,17 @@ def _any_of(pieces: np.ndarray) -> np.ndarray:
 
 
 def divide_at_half(
-    mesh: Mesh, linked: np.ndarray, rgb: np.ndarray, inside: np.ndarray, spacing: float, colour: float
+    mesh: Mesh, linked: np.ndarray, looks: Appearance, inside: np.ndarray, spacing: float, colour: float
 ) -> np.ndarray:
     """Return which points are of a detail, with those at its border given to the side that they resemble.
 
-    The laser spot is mixed of both colours there, and the region that grew first took all of them. Divided
-    where either side has half of the spot, neither gains.
+    The laser spot is mixed of both sides there, and the region that grew first took all of them. Divided
+    where either side has half of the spot, neither gains. Intensity divides where the sides differ in it,
+    for shadows do not matter to it; colour elsewhere.
 
     Parameters
     ----------
-    mesh, linked, rgb
+    mesh, linked, looks
         As in `find_coloured`.
     inside : ndarray of bool, shape (n,)
     spacing : float
@@ -125,15 +126,37 @@ def divide_at_half(
     own, other = core[inside[core]], core[~inside[core]]
     if min(len(own), len(other)) < COMPARED:
         return inside
-    own, other = _mean_of_nearest(mesh, rgb, own, near), _mean_of_nearest(mesh, rgb, other, near)
+    sides = _nearest(mesh, own, near), _nearest(mesh, other, near)
+    divided = inside.copy()
+    divided[near] = _share(looks.rgb, near, *sides, colour, inside[near])
+    if looks.relative is not None:
+        divided[near] = _share(looks.relative[:, None], near, *sides, SURE * looks.threshold, divided[near])
+    return _joined(mesh, linked, divided, inside)
+
+
+def _nearest(mesh: Mesh, known: np.ndarray, asked: np.ndarray) -> np.ndarray:
+    """Return the known points nearest to those asked for, shape (asked, COMPARED)."""
+    return known[cKDTree(mesh.points[known]).query(mesh.points[asked], k=COMPARED)[1]]
+
+
+def _share(
+    values: np.ndarray,
+    near: np.ndarray,
+    own: np.ndarray,
+    other: np.ndarray,
+    least: float,
+    otherwise: np.ndarray,
+) -> np.ndarray:
+    """Tell which points have more of their own side's values; where the sides are too alike, `otherwise`."""
+    own, other = values[own].mean(axis=1), values[other].mean(axis=1)
     contrast = own - other
     squared = np.sum(contrast**2, axis=1)
-    shares = np.sum((rgb[near] - other) * contrast, axis=1) / np.maximum(squared, 1e-9)
-    divided = inside.copy()
-    divided[near] = np.where(squared > colour**2, shares > 0.5, inside[near])
-    return divided
+    shares = np.sum((values[near] - other) * contrast, axis=1) / np.maximum(squared, 1e-9)
+    return np.where(squared > least**2, shares > 0.5, otherwise)
 
 
-def _mean_of_nearest(mesh: Mesh, rgb: np.ndarray, known: np.ndarray, asked: np.ndarray) -> np.ndarray:
-    _, nearest = cKDTree(mesh.points[known]).query(mesh.points[asked], k=COMPARED)
-    return rgb[known][nearest].mean(axis=1)
+def _joined(mesh: Mesh, linked: np.ndarray, divided: np.ndarray, inside: np.ndarray) -> np.ndarray:
+    """Return the largest piece of what was divided off; specks beyond the border are of no detail."""
+    pieces = components(mesh, linked, divided)
+    counts = np.bincount(pieces[divided & inside], minlength=pieces.max() + 1)
+    return divided & (pieces == np.argmax(counts))

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Optional
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -50,13 +49,11 @@ class Scene:
     Attributes
     ----------
     uvw : ndarray of float64, shape (n, 3)
-    rgb : ndarray of float32, shape (n, 3), or None
     labels : ndarray of int16, shape (n,)
         Planes; see `Segmentation`.
     """
 
     uvw: np.ndarray
-    rgb: Optional[np.ndarray]
     labels: np.ndarray
 
     def near(self, polygon_bounds: tuple, margin: float, chosen: np.ndarray) -> np.ndarray:
@@ -78,7 +75,7 @@ def coloured_details(
         chosen = divide_at_half(
             surface.mesh,
             surface.linked,
-            scene.rgb[surface.rows],
+            coloured.looks,
             chosen,
             surface.spacing,
             settings.seed_colour,

@@ -3,6 +3,7 @@
 import numpy as np
 from numba import njit
 
+from .appearance import Appearance
 from .mesh import Mesh
 from .seeds import FEWEST, Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
 
@@ -14,12 +15,14 @@ FREE_SHARE = 0.5
 
 
 def grow_regions(
-    mesh: Mesh, linked: np.ndarray, rgb: np.ndarray, seeds: Seeds, variance: float, colour: float
+    mesh: Mesh, linked: np.ndarray, looks: Appearance, seeds: Seeds, variance: float, colour: float
 ) -> np.ndarray:
     """Grow a region from every seed that is left, over neighbours of a colour like its own.
 
     The points at the border of a region are compared with the mean of the whole region, which is
-    renewed as it grows, never with their neighbours: colour cannot chain through a gradient.
+    renewed as it grows, never with their neighbours: colour cannot chain through a gradient. Where there
+    is intensity, it must be like that of the region too: dark plaster in the sun is not light wood in the
+    shade.
 
     Parameters
     ----------
@@ -27,8 +30,8 @@ def grow_regions(
         Of n points.
     linked : ndarray of bool, shape (k,)
         The edges of the mesh that join neighbours.
-    rgb : ndarray of float32, shape (n, 3)
-        0..255.
+    looks : Appearance
+        Of the n points.
     seeds : Seeds
         In the order in which they are tried.
     variance : float
@@ -41,12 +44,13 @@ def grow_regions(
     ndarray of int32, shape (n,)
         Numbers of the regions from 1; `NONE` where no region grew.
     """
-    labels = np.zeros(len(rgb), np.int32)
+    labels = np.zeros(len(looks.rgb), np.int32)
     if not len(seeds.rows):
         return labels
     lattice = sort_into_cells(mesh.points, seeds.radii.max() / 4)
     _grow_all(
-        mesh.points, rgb, *mesh.neighbours(linked), seeds.rows, seeds.radii, variance, colour,
+        mesh.points, looks.rgb, *looks.gated, *mesh.neighbours(linked),
+        seeds.rows, seeds.radii, variance, colour,
         lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order, labels,
     )  # fmt: skip
     return labels
@@ -61,8 +65,9 @@ def absorb(
 
     Parameters
     ----------
-    mesh, linked, rgb
+    mesh, linked
         As in `grow_regions`.
+    rgb : ndarray of float32, shape (n, 3)
     labels : ndarray of int32, shape (n,)
     kept : ndarray of bool, shape (regions + 1,)
         Which regions stay.
@@ -79,7 +84,7 @@ def absorb(
 
 @njit(cache=True, nogil=True)
 def _grow_all(
-    points, rgb, first, neighbours, seeds, radii, variance, colour,
+    points, rgb, relative, reach, first, neighbours, seeds, radii, variance, colour,
     corner, size, columns, rows, starts, order, labels,
 ):  # fmt: skip
     members, mean = np.empty(len(points), np.int64), np.empty(3)
@@ -99,14 +104,14 @@ def _grow_all(
         for member in members[:count]:
             if distance_in_colour(rgb, member, mean) < colour:
                 labels[member] = region
-        _grow(rgb, first, neighbours, colour, region, members, count, mean, labels)
+        _grow(rgb, relative, reach, first, neighbours, colour, region, members, count, mean, labels)
 
 
 @njit(cache=True, nogil=True)
-def _grow(rgb, first, neighbours, colour, region, members, count, mean, labels):
+def _grow(rgb, relative, reach, first, neighbours, colour, region, members, count, mean, labels):
     """Grow one region wave by wave; the result of a wave does not depend on the order of the points."""
     start, total = 0, 0
-    sums = np.zeros(3)
+    sums, intensities = np.zeros(3), 0.0
     for place in range(count):
         if labels[members[place]] == region:
             members[total] = members[place]
@@ -116,13 +121,17 @@ def _grow(rgb, first, neighbours, colour, region, members, count, mean, labels):
         for place in range(start, stop):
             for channel in range(3):
                 sums[channel] += rgb[members[place], channel]
+            intensities += relative[members[place]]
         for channel in range(3):
             mean[channel] = sums[channel] / stop
+        level = intensities / stop
         for place in range(start, stop):
             point = members[place]
             for link in range(first[point], first[point + 1]):
                 other = neighbours[link]
-                if labels[other] == NONE and distance_in_colour(rgb, other, mean) < colour:
+                if labels[other] != NONE or abs(relative[other] - level) > reach:
+                    continue
+                if distance_in_colour(rgb, other, mean) < colour:
                     labels[other] = region
                     members[total] = other
                     total += 1

@@ -1,7 +1,6 @@
 """Measure the details of a facade: from the points of a scan to an elevation."""
 
 from dataclasses import replace
-from typing import Optional
 
 import numpy as np
 from shapely.affinity import translate
@@ -9,6 +8,7 @@ from shapely.geometry import MultiPolygon, Polygon
 from shapely.ops import unary_union
 
 from ..progress import Progress
+from .appearance import Appearance
 from .colouring import Coloured, find_coloured
 from .detailing import Found, Scene, coloured_details, hole_details, projecting_details
 from .holes import NEAR, Hole, classify, find_gaps
@@ -48,7 +48,7 @@ def measure_facade(points: Points, settings: Settings, progress: Progress = Prog
     """
     segmentation = find_planes(points, settings.distance, progress=progress.part(0.0, 0.2))
     frame = frame_of(segmentation.planes[0], points.origin)
-    scene = Scene(frame.local(points.xyz, points.origin), points.rgb, segmentation.labels)
+    scene = Scene(frame.local(points.xyz, points.origin), segmentation.labels)
     progress.update(0.2, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(
@@ -80,11 +80,9 @@ def _coloured(points: Points, wall: Surface, settings: Settings, progress: Progr
         progress.update(
             0.45, "The points have no colour, so only openings, recesses and projections are found."
         )
-        return Coloured(np.zeros(len(wall.rows), np.int32), 1, 1, np.nan)
-    relative, threshold = _relative(points, wall, settings, progress)
-    coloured = find_coloured(
-        wall.mesh, wall.linked, wall.sizes, points.rgb[wall.rows], relative, threshold, settings
-    )
+        return Coloured(np.zeros(len(wall.rows), np.int32), None, 1, 1, np.nan)
+    looks = _appearance(points, wall, settings, progress)
+    coloured = find_coloured(wall.mesh, wall.linked, wall.sizes, looks, settings)
     progress.update(
         0.65,
         f"{coloured.regions} regions of one colour (SEED_VARIANCE {coloured.variance:.0f}) are "
@@ -93,21 +91,20 @@ def _coloured(points: Points, wall: Surface, settings: Settings, progress: Progr
     return coloured
 
 
-def _relative(
-    points: Points, wall: Surface, settings: Settings, progress: Progress
-) -> tuple[Optional[np.ndarray], float]:
-    """Return the relative intensities of the wall, and f."""
+def _appearance(points: Points, wall: Surface, settings: Settings, progress: Progress) -> Appearance:
+    """Return the colours of the wall, its relative intensities, and f."""
+    rgb = points.rgb[wall.rows]
     if points.intensity is None:
         progress.update(
             0.45, "The points have no intensity, so the edges of cast shadows cannot be told from details."
         )
-        return None, 0.0
+        return Appearance(rgb)
     relative = make_relative(wall.mesh.points, points.intensity[wall.rows], points.scan[wall.rows])
     threshold = relative.automatic_threshold if settings.intensity is None else settings.intensity
     progress.update(
         0.5, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
     )
-    return relative.values, threshold
+    return Appearance(rgb, relative.values, threshold)
 
 
 def _holes(scene: Scene, wall: Surface, settings: Settings) -> list[Hole]:

@@ -74,7 +74,7 @@ class Segmentation:
         The main plane first, the others by falling number of points.
     labels : ndarray of int16, shape (n,)
         1 for points of the first plane and so on, 0 for points of none, -1 for points of a plane
-        that is none of the facade, such as the ground or a side wall.
+        that stands before the facade, such as the street or a side wall.
     """
 
     planes: tuple[Plane, ...]

@@ -37,7 +37,7 @@ LONGEST_FACADE = 500.0
 """A facade that is longer is not in metres."""
 
 NONE, OTHER = 0, -1
-"""Labels of points of no plane, and of a plane that is none of the facade."""
+"""Labels of points of no plane of the facade, and of a plane before it, such as the street."""
 
 
 def find_planes(
@@ -83,7 +83,9 @@ def find_planes(
     progress.update(0.8)
     patches = [main, *(_along(patch, main) for patch in secondary)]
     labels = _assign(points.xyz, voxels, [*patches, *competitors], distance)
-    labels[labels > len(patches)] = OTHER
+    before = [_is_before(patch, main) for patch in competitors]
+    others = np.array([NONE, *range(1, len(patches) + 1), *np.where(before, OTHER, NONE)], np.int16)
+    labels = others[labels]
     return _largest_first(points.xyz, patches, labels, min_points, progress)
 
 
@@ -115,6 +117,11 @@ def _is_facade(patch: Patch, main: Patch) -> bool:
     steep = abs(patch.normal[2]) < np.sin(np.radians(UPRIGHT))
     facing = abs(patch.normal @ main.normal) > np.cos(np.radians(FACING))
     return bool(steep and facing and abs(np.median(main.heights(patch.centres_of_squares()))) <= DEPTH)
+
+
+def _is_before(patch: Patch, main: Patch) -> bool:
+    """Tell whether a plane is on the scanner's side of the main one, as the street, not a room behind it."""
+    return bool(np.median(main.heights(patch.centres_of_squares())) > 0)
 
 
 def _secondary(xyz: np.ndarray, main: Patch, competitors: list[Patch], distance: float) -> list[Patch]:
