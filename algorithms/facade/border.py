@@ -9,14 +9,39 @@ from shapely.ops import polygonize
 
 from .mesh import Mesh, triangulate
 
-WIDE = 2.0
-"""A gap between the two sides that is wider, in units of the spacing, has not been seen into."""
-
 LOCAL = 60
 """Edges whose gaps are averaged."""
 
+ROUND = 0.1
+"""Radius around a place within which lost points are counted (m)."""
+
 FRAME = 32
 """Places around everything."""
+
+
+@dataclass(frozen=True)
+class Lost:
+    """Points of the side in front that do not lie on it, for their laser spots are mixed.
+
+    Attributes
+    ----------
+    places : ndarray of float64, shape (l, 2)
+    area : float
+        That each of them would stand for (m2).
+    """
+
+    places: np.ndarray
+    area: float
+
+    def widths(self, asked: np.ndarray) -> np.ndarray:
+        """Return how wide a strip of the side they would cover at places, shape (k, 2)."""
+        if not len(self.places):
+            return np.zeros(len(asked))
+        counts = cKDTree(self.places).query_ball_point(asked, ROUND, return_length=True)
+        return counts * self.area / (2 * ROUND)
+
+
+NOTHING_LOST = Lost(np.empty((0, 2)), 0.0)
 
 
 @dataclass(frozen=True)
@@ -39,21 +64,25 @@ class Border:
     gaps: np.ndarray
 
 
-def trace_border(inside: np.ndarray, outside: np.ndarray, filler: np.ndarray, step: float) -> Border:
+def trace_border(
+    inside: np.ndarray, outside: np.ndarray, filler: np.ndarray, step: float, lost: Lost = NOTHING_LOST
+) -> Border:
     """Trace the border between two sets of points in a plane.
 
     The last point of either side ends, on average, half a spacing before the border, so the middle
-    between the two is unbiased. Where one side lies before the other and hides a strip of it, the border
-    is half a spacing beyond the side in front.
+    between the two is unbiased. Where one side lies before the other it may hide a strip of it, so the
+    border is half a spacing beyond the side in front.
 
     Parameters
     ----------
     inside, outside : ndarray of float64, shape (n, 3), (m, 3)
-        u, v, w.
+        u, v, w; w is minus infinity at places that stand in for points far behind.
     filler : ndarray of float64, shape (f, 2)
         Places within the detail that stand in for points far behind, where none came back.
     step : float
         What differs by less in w is side by side (m).
+    lost : Lost
+        Points that the side in front lacks at its edge.
 
     Returns
     -------
@@ -76,7 +105,7 @@ def trace_border(inside: np.ndarray, outside: np.ndarray, filler: np.ndarray, st
     mixed[mixed], outer, inner = known, outer[known], inner[known]
     if not len(outer):
         return Border(Polygon(), np.empty((0, 2)), np.empty(0))
-    shares, gaps = _shares(mesh, within, w, outer, inner, step)
+    shares, gaps = _shares(mesh, within, w, (outer, inner), step, lost)
     crossings = np.full((len(mesh.edges), 2), np.nan)
     crossings[mixed] = points[outer] + shares[:, None] * (points[inner] - points[outer])
     return Border(_ring(mesh, mixed, crossings), crossings[mixed], gaps)
@@ -91,10 +120,10 @@ def _surrounding(points: np.ndarray) -> np.ndarray:
 
 
 def _shares(
-    mesh: Mesh, within: np.ndarray, w: np.ndarray, outer: np.ndarray, inner: np.ndarray, step: float
+    mesh: Mesh, within: np.ndarray, w: np.ndarray, ends: tuple, step: float, lost: Lost
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return where on its way from outer to inner point each edge crosses the border, and the gaps."""
-    points = mesh.points
+    points, (outer, inner) = mesh.points, ends
     # Not the difference, which is not a number where both are infinitely far.
     behind, before = w[inner] < w[outer] - step, w[inner] > w[outer] + step
     shares, gaps = np.full(len(outer), 0.5), np.empty(len(outer))
@@ -102,8 +131,8 @@ def _shares(
         if not front.any():
             continue
         widths, steps = _widths(points, np.flatnonzero(side & np.isfinite(w)), near, far)
-        hidden = front & (behind | before) & (widths > WIDE * steps)
-        own = np.minimum(0.5 * steps / widths, 0.5)
+        hidden = front & (behind | before)
+        own = np.minimum((0.5 * steps + lost.widths(points[near])) / widths, 0.5)
         shares[hidden] = (own if near is outer else 1 - own)[hidden]
         gaps[front] = np.where(hidden, steps, widths)[front]
     return shares, gaps

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from shapely.geometry import Polygon
 
-from .border import Border, trace_border
+from .border import Border, Lost, trace_border
 from .colouring import Coloured, divide_at_half
 from .holes import Hole, within
+from .jambs import is_plumb
 from .model import COLOURED, PROJECTION
 from .settings import Settings
 from .surface import Surface
@@ -18,6 +19,9 @@ MARGIN = 12.0
 
 DEEPEST_MIXED = 0.3
 """A laser spot on two surfaces gives a point between them up to this distance (m); beyond, two points."""
+
+NOISE = 4.0
+"""Points further behind the wall, in standard deviations of its own, are of a jamb or mixed."""
 
 INSET = 3.0
 """Places that stand in for points within a hole keep this many spacings from its border."""
@@ -65,10 +69,10 @@ class Scene:
 
 
 def coloured_details(
-    scene: Scene, surface: Surface, coloured: Coloured, settings: Settings
+    scene: Scene, surface: Surface, coloured: Coloured, empty: np.ndarray, settings: Settings
 ) -> Iterator[Found]:
     """Yield the details of a plane that their colour tells from the wall."""
-    others = np.flatnonzero(scene.labels >= 0)
+    others = np.flatnonzero((scene.labels >= 0) & (np.abs(scene.uvw[:, 2]) <= settings.distance))
     for number in range(1, int(coloured.labels.max(initial=0)) + 1):
         chosen = coloured.labels == number
         chosen &= surface.sizes > 0
@@ -84,14 +88,15 @@ def coloured_details(
         if not len(rows):
             continue
         around = scene.near(_bounds(scene.uvw[rows]), MARGIN * surface.spacing, others)
-        around = np.setdiff1d(around[scene.uvw[around, 2] <= settings.distance], rows)
-        border = trace_border(scene.uvw[rows], scene.uvw[around], np.empty((0, 2)), settings.distance)
+        outside = np.concatenate([scene.uvw[np.setdiff1d(around, rows)], empty])
+        border = trace_border(scene.uvw[rows], outside, np.empty((0, 2)), settings.distance)
         yield Found(COLOURED, border, float(np.mean(scene.uvw[rows, 2])), rows)
 
 
 def hole_details(scene: Scene, surface: Surface, holes: list[Hole], settings: Settings) -> Iterator[Found]:
     """Yield openings and recesses, which lie between the wall and what is behind it."""
     facade, ground = np.flatnonzero(scene.labels >= 0), np.flatnonzero(scene.labels < 0)
+    noise = NOISE * float(np.std(scene.uvw[surface.rows, 2]))
     for hole in holes:
         if hole.kind is None:
             continue
@@ -102,19 +107,25 @@ def hole_details(scene: Scene, surface: Surface, holes: list[Hole], settings: Se
         grown = hole.polygon.buffer(surface.spacing)
         inside = near[w <= half]
         inside = inside[within(grown, scene.uvw[inside, :2])]
-        outside = near[(w > half) & (w <= settings.distance)]
+        outside = near[(w >= -noise) & (w <= settings.distance)]
+        between = near[(w > half) & (w < -noise)]
+        plumb = is_plumb(scene.uvw[between], scene.uvw[outside])
+        lost = Lost(scene.uvw[between[~plumb], :2], surface.area_of_point)
+        outside = np.concatenate([outside, between[plumb]])
         # A gate ends at the ground.
         foot = scene.near(hole.polygon.bounds, margin, ground)
         foot = foot[np.abs(scene.uvw[foot, 2]) <= DEEPEST_MIXED]
         outside = np.concatenate([outside, foot])
         filler = _lattice(hole.polygon.buffer(-INSET * surface.spacing), surface.spacing)
-        border = trace_border(scene.uvw[inside], scene.uvw[outside], filler, 0.5 * abs(half))
+        border = trace_border(scene.uvw[inside], scene.uvw[outside], filler, 0.5 * abs(half), lost)
         yield Found(hole.kind, border, hole.depth, inside)
 
 
-def projecting_details(scene: Scene, label: int, surface: Surface, settings: Settings) -> Iterator[Found]:
+def projecting_details(
+    scene: Scene, label: int, surface: Surface, empty: np.ndarray, settings: Settings
+) -> Iterator[Found]:
     """Yield the pieces of a plane before the wall."""
-    others = np.flatnonzero(scene.labels >= 0)
+    others = np.flatnonzero((scene.labels >= 0) & (scene.uvw[:, 2] >= -settings.distance))
     own = scene.uvw[surface.rows]
     for piece in surface.outline.geoms:
         if piece.area < settings.smallest_area:
@@ -123,8 +134,18 @@ def projecting_details(scene: Scene, label: int, surface: Surface, settings: Set
         depth = float(np.median(scene.uvw[rows, 2]))
         around = scene.near(piece.bounds, MARGIN * surface.spacing, others)
         around = around[(scene.labels[around] != label) & (scene.uvw[around, 2] < 0.5 * depth)]
-        border = trace_border(scene.uvw[rows], scene.uvw[around], np.empty((0, 2)), 0.25 * depth)
+        outside = np.concatenate(
+            [scene.uvw[around], empty[~within(piece.buffer(surface.spacing), empty[:, :2])]]
+        )
+        border = trace_border(scene.uvw[rows], outside, np.empty((0, 2)), 0.25 * depth)
         yield Found(PROJECTION, border, depth, rows)
+
+
+def empty_places(holes: list[Hole], spacing: float) -> np.ndarray:
+    """Return u, v, w of places that stand in for what lies behind the holes of a wall, infinitely far."""
+    places = [_lattice(hole.polygon.buffer(-spacing), spacing) for hole in holes]
+    u, v = np.concatenate([np.empty((0, 2)), *places]).T
+    return np.stack([u, v, np.full(len(u), -np.inf)], axis=1)
 
 
 def _bounds(uvw: np.ndarray) -> tuple:

@@ -10,7 +10,7 @@ from shapely.ops import unary_union
 from ..progress import Progress
 from .appearance import Appearance
 from .colouring import Coloured, find_coloured
-from .detailing import Found, Scene, coloured_details, hole_details, projecting_details
+from .detailing import Found, Scene, coloured_details, empty_places, hole_details, projecting_details
 from .holes import NEAR, Hole, classify, find_gaps
 from .intensity import make_relative
 from .model import COLOURED, PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation
@@ -58,10 +58,11 @@ def measure_facade(points: Points, settings: Settings, progress: Progress = Prog
     progress.update(0.65, "Telling openings from shadows")
     holes = _holes(scene, wall, settings)
     found = [*hole_details(scene, wall, holes, settings)]
-    found += coloured_details(scene, wall, coloured, settings)
+    empty = empty_places(holes, wall.spacing)
+    found += coloured_details(scene, wall, coloured, empty, settings)
     for label in _before(segmentation, settings):
         surface = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == label), settings)
-        found += projecting_details(scene, label, surface, settings)
+        found += projecting_details(scene, label, surface, empty, settings)
     progress.update(0.85, "Making outlines")
     return _elevation(points, scene, frame, wall, holes, found, settings)
 

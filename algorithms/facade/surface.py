@@ -40,6 +40,11 @@ class Surface:
     alpha: float
 
     @property
+    def area_of_point(self) -> float:
+        """Median area that a point stands for (m2)."""
+        return float(np.median(self.sizes[self.sizes > 0]))
+
+    @property
     def spacing(self) -> float:
         """Median distance between neighbouring points (m)."""
         return float(np.median(self.mesh.spacings))
