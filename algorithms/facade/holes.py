@@ -15,8 +15,9 @@ NEAR = 1.0
 FILLED = 0.5
 """Share of a hole with a surface behind it, in a recess."""
 
-EVIDENCE = 0.05
-"""Share of a hole before anything behind the wall, in an opening; its reveals are enough."""
+JAMBS, JAMB_DEPTH = 0.1, 0.5
+"""Share of the border of an opening with points close behind the wall (m). What is seen deep in a room may
+lie behind a hidden place of the wall, for it was seen through a window beside it."""
 
 CELLS = 3.0
 """Side of the cells in which that is counted, in spacings."""
@@ -103,9 +104,15 @@ def classify(polygon: Polygon, uvw: np.ndarray, distance: float, spacing: float)
     whole = max(polygon.area / cell**2, 1.0)
     if _cells(near, cell) >= FILLED * whole:
         return Hole(polygon, RECESS, float(np.median(near[:, 2])))
-    if _cells(seen, cell) >= EVIDENCE * whole:
+    if _has_jambs(polygon, seen, cell):
         return Hole(polygon, OPENING, float(np.median(seen[:, 2])))
     return Hole(polygon, None, float("nan"))
+
+
+def _has_jambs(polygon: Polygon, seen: np.ndarray, cell: float) -> bool:
+    close = seen[seen[:, 2] > -JAMB_DEPTH]
+    close = close[~within(polygon.buffer(-cell), close[:, :2])]
+    return _cells(close, cell) >= JAMBS * polygon.length / cell
 
 
 def _cells(points: np.ndarray, size: float) -> int:

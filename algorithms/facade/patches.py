@@ -1,6 +1,7 @@
 """Planes of limited extent: where on an infinite plane there are points of it."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy import ndimage
@@ -56,8 +57,13 @@ class Patch:
         rows, columns = cells[:, 1], cells[:, 0]
         height, width = self.squares.shape
         inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
-        inside[inside] = self.squares[rows[inside], columns[inside]]
+        inside[inside] = self._and_beside[rows[inside], columns[inside]]
         return inside
+
+    @cached_property
+    def _and_beside(self) -> np.ndarray:
+        # Normals are mixed at the end of a plane, so its last square may have none of its voxels.
+        return ndimage.binary_dilation(self.squares, np.ones((3, 3)))
 
     def flipped(self) -> "Patch":
         """Return the same patch, seen from the other side."""

@@ -247,7 +247,7 @@ def edge_deviation(residuals: np.ndarray, places: np.ndarray, gaps: np.ndarray) 
     unseen = max(gap**2 / 12 - scatter, 0.0)
     length = float(np.hypot(*np.ptp(places, axis=0)))
     independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)
-    return float(np.sqrt(unseen / independent**0.5 + (scatter + FLOOR**2) / independent))
+    return float(np.sqrt(unseen + (scatter + FLOOR**2) / independent))
 
 
 def _free(border: Border) -> Outline:
