@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import binary_dilation
 from scipy.spatial import cKDTree
 from shapely.geometry import MultiLineString, Polygon
 from shapely.ops import polygonize
@@ -65,7 +66,12 @@ class Border:
 
 
 def trace_border(
-    inside: np.ndarray, outside: np.ndarray, filler: np.ndarray, step: float, lost: Lost = NOTHING_LOST
+    inside: np.ndarray,
+    outside: np.ndarray,
+    filler: np.ndarray,
+    step: float,
+    band: float,
+    lost: Lost = NOTHING_LOST,
 ) -> Border:
     """Trace the border between two sets of points in a plane.
 
@@ -81,6 +87,8 @@ def trace_border(
         Places within the detail that stand in for points far behind, where none came back.
     step : float
         What differs by less in w is side by side (m).
+    band : float
+        Points further from the other side than this, and than its double, do not matter (m).
     lost : Lost
         Points that the side in front lacks at its edge.
 
@@ -89,6 +97,7 @@ def trace_border(
     Border
         With an empty ring if there is none.
     """
+    inside, outside = _beside(inside, outside, filler, band)
     frame = _surrounding(np.concatenate([inside[:, :2], outside[:, :2], filler]))
     points = np.concatenate([outside[:, :2], frame, inside[:, :2], filler])
     behind = [np.full(len(places), -np.inf) for places in (frame, filler)]
@@ -109,6 +118,24 @@ def trace_border(
     crossings = np.full((len(mesh.edges), 2), np.nan)
     crossings[mixed] = points[outer] + shares[:, None] * (points[inner] - points[outer])
     return Border(_ring(mesh, mixed, crossings), crossings[mixed], gaps)
+
+
+def _beside(
+    inside: np.ndarray, outside: np.ndarray, filler: np.ndarray, band: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the points of each side that are near the other."""
+    sides = [np.concatenate([inside[:, :2], filler]), outside[:, :2]]
+    if not all(map(len, sides)):
+        return inside, outside
+    corner = np.min([side.min(axis=0) for side in sides], axis=0) - 2 * band
+    cells = [((side - corner) // band).astype(np.int64) for side in sides]
+    shape = tuple(np.max([side.max(axis=0) for side in cells], axis=0) + 2)
+    near = []
+    for own, other in ((0, 1), (1, 0)):
+        held = np.zeros(shape, bool)
+        held[tuple(cells[other].T)] = True
+        near.append(binary_dilation(held, np.ones((3, 3)))[tuple(cells[own].T)])
+    return inside[near[0][: len(inside)]], outside[near[1]]
 
 
 def _surrounding(points: np.ndarray) -> np.ndarray:

@@ -72,6 +72,7 @@ def coloured_details(
     scene: Scene, surface: Surface, coloured: Coloured, empty: np.ndarray, settings: Settings
 ) -> Iterator[Found]:
     """Yield the details of a plane that their colour tells from the wall."""
+    margin = MARGIN * surface.spacing
     others = np.flatnonzero((scene.labels >= 0) & (np.abs(scene.uvw[:, 2]) <= settings.distance))
     for number in range(1, int(coloured.labels.max(initial=0)) + 1):
         chosen = coloured.labels == number
@@ -87,9 +88,9 @@ def coloured_details(
         rows = surface.rows[chosen]
         if not len(rows):
             continue
-        around = scene.near(_bounds(scene.uvw[rows]), MARGIN * surface.spacing, others)
+        around = scene.near(_bounds(scene.uvw[rows]), margin, others)
         outside = np.concatenate([scene.uvw[np.setdiff1d(around, rows)], empty])
-        border = trace_border(scene.uvw[rows], outside, np.empty((0, 2)), settings.distance)
+        border = trace_border(scene.uvw[rows], outside, np.empty((0, 2)), settings.distance, margin)
         yield Found(COLOURED, border, float(np.mean(scene.uvw[rows, 2])), rows)
 
 
@@ -117,7 +118,7 @@ def hole_details(scene: Scene, surface: Surface, holes: list[Hole], settings: Se
         foot = foot[np.abs(scene.uvw[foot, 2]) <= DEEPEST_MIXED]
         outside = np.concatenate([outside, foot])
         filler = _lattice(hole.polygon.buffer(-INSET * surface.spacing), surface.spacing)
-        border = trace_border(scene.uvw[inside], scene.uvw[outside], filler, 0.5 * abs(half), lost)
+        border = trace_border(scene.uvw[inside], scene.uvw[outside], filler, 0.5 * abs(half), margin, lost)
         yield Found(hole.kind, border, hole.depth, inside)
 
 
@@ -127,17 +128,26 @@ def projecting_details(
     """Yield the pieces of a plane before the wall."""
     others = np.flatnonzero((scene.labels >= 0) & (scene.uvw[:, 2] >= -settings.distance))
     own = scene.uvw[surface.rows]
+    margin = MARGIN * surface.spacing
     for piece in surface.outline.geoms:
         if piece.area < settings.smallest_area:
             continue
         rows = surface.rows[within(piece.buffer(surface.spacing), own[:, :2])]
         depth = float(np.median(scene.uvw[rows, 2]))
-        around = scene.near(piece.bounds, MARGIN * surface.spacing, others)
-        around = around[(scene.labels[around] != label) & (scene.uvw[around, 2] < 0.5 * depth)]
+        near = scene.near(piece.bounds, margin, others)
+        near = near[scene.labels[near] != label]
+        w = scene.uvw[near, 2]
+        around = near[w < 0.5 * depth]
+        noise = NOISE * float(np.std(scene.uvw[rows, 2]))
+        between = scene.uvw[near[(w >= 0.5 * depth) & (w < depth - noise)]] - (0, 0, depth)
+        plumb = is_plumb(between, scene.uvw[rows])
+        lost = Lost(between[~plumb, :2], surface.area_of_point)
         outside = np.concatenate(
             [scene.uvw[around], empty[~within(piece.buffer(surface.spacing), empty[:, :2])]]
         )
-        border = trace_border(scene.uvw[rows], outside, np.empty((0, 2)), 0.25 * depth)
+        border = trace_border(
+            scene.uvw[rows], outside, np.empty((0, 2)), 0.25 * depth, max(margin, depth), lost
+        )
         yield Found(PROJECTION, border, depth, rows)
 
 

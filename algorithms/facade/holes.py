@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from shapely.geometry import LineString, MultiPolygon, Point, Polygon
+from shapely.geometry import LineString, MultiPolygon, Polygon
 from shapely.ops import unary_union
-from shapely.prepared import prep
+from skimage.measure import points_in_poly
 
 from .model import OPENING, RECESS
 
@@ -121,8 +121,15 @@ def _cells(points: np.ndarray, size: float) -> int:
 
 def within(polygon: Polygon, points: np.ndarray) -> np.ndarray:
     """Tell which points, shape (n, 2), lie in a polygon."""
+    if polygon.is_empty:
+        return np.zeros(len(points), bool)
     left, bottom, right, top = polygon.bounds
     inside = ((points >= (left, bottom)) & (points <= (right, top))).all(axis=1)
-    holds = prep(polygon).contains
-    inside[inside] = [holds(Point(*place)) for place in points[inside]]
+    near = points[inside]
+    held = np.zeros(len(near), bool)
+    for part in getattr(polygon, "geoms", [polygon]):
+        # The holes of a part turn what its shell has turned.
+        for ring in (part.exterior, *part.interiors):
+            held ^= points_in_poly(near, np.array(ring.coords)[:, :2])
+    inside[inside] = held
     return inside
