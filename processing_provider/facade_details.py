@@ -6,6 +6,9 @@ from .destinations import DrawingDestination, PolygonDestination, RasterDestinat
 from .facade_parameters import FILL_HOLES, PIXEL_SIZE, SETTINGS
 from .log import Log
 
+MOST_POINTS = 6_000_000
+"""More are thinned, for a triangulation of them takes more memory than most computers have."""
+
 
 class FacadeDetailsAlgorithm(Algorithm):
     """Measure the details of a facade."""
@@ -90,7 +93,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         settings = Settings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
         cloud = open_site(values)
         log.warn(cloud.warnings)
-        points = read_points(cloud, log.progress.part(0.0, 0.2))
+        points = read_points(cloud, log.progress.part(0.0, 0.2), MOST_POINTS)
         elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)

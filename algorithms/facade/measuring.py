@@ -1,11 +1,11 @@
 """Measure the details of a facade: from the points of a scan to an elevation."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from shapely.affinity import translate
-from shapely.geometry import MultiPolygon, Polygon
-from shapely.ops import unary_union
+from shapely.geometry import MultiPolygon
 
 from ..progress import Progress
 from .appearance import Appearance
@@ -13,11 +13,12 @@ from .colouring import Coloured, find_coloured
 from .detailing import Found, Scene, coloured_details, empty_places, hole_details, projecting_details
 from .holes import NEAR, Hole, classify, find_gaps
 from .intensity import make_relative
-from .model import COLOURED, PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation
+from .model import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation
 from .planes import find_planes
 from .regular import make_outline
 from .settings import Settings
 from .surface import Surface, make_surface
+from .whole_wall import complete, parts_of
 
 PARALLEL = 10.0
 """Planes before the wall are turned against it by less (degrees)."""
@@ -27,6 +28,9 @@ FARTHEST = 6.0
 
 MILLIMETRES = 3
 """Decimals of the place of u, v = 0, 0 against the wall."""
+
+UNEQUAL = 1.2
+"""Levels of intensity whose ratio is larger are said to differ."""
 
 ROW = 0.5
 """Details are numbered row by row, from above, in rows of this height (m)."""
@@ -78,9 +82,6 @@ def frame_of(plane: Plane, origin: np.ndarray) -> Frame:
 def _coloured(points: Points, wall: Surface, settings: Settings, progress: Progress) -> Coloured:
     """Return the coloured regions of the wall; one region if the points have no colour."""
     if points.rgb is None:
-        progress.update(
-            0.45, "The points have no colour, so only openings, recesses and projections are found."
-        )
         return Coloured(np.zeros(len(wall.rows), np.int32), None, 1, 1, np.nan)
     looks = _appearance(points, wall, settings, progress)
     coloured = find_coloured(wall.mesh, wall.linked, wall.sizes, looks, settings)
@@ -96,11 +97,15 @@ def _appearance(points: Points, wall: Surface, settings: Settings, progress: Pro
     """Return the colours of the wall, its relative intensities, and f."""
     rgb = points.rgb[wall.rows]
     if points.intensity is None:
-        progress.update(
-            0.45, "The points have no intensity, so the edges of cast shadows cannot be told from details."
-        )
         return Appearance(rgb)
     relative = make_relative(wall.mesh.points, points.intensity[wall.rows], points.scan[wall.rows])
+    low, high = relative.levels.min(), relative.levels.max()
+    if high > UNEQUAL * low:
+        progress.update(
+            0.48,
+            f"The intensities of {len(relative.levels)} scans differ in level ({low:.0f} to {high:.0f}), so "
+            "each is compared with its own.",
+        )
     threshold = relative.automatic_threshold if settings.intensity is None else settings.intensity
     progress.update(
         0.5, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
@@ -138,41 +143,47 @@ def _elevation(
     made = [
         (item, make_outline(item.border, settings.regularise)) for item in found if _is_large(item, settings)
     ]
-    holed = [outline.polygon for item, outline in made if item.kind not in (COLOURED, PROJECTION)]
-    before = unary_union([outline.polygon for item, outline in made if item.kind == PROJECTION])
-    unseen = [hole.polygon.difference(before) for hole in holes if hole.kind is None]
-    unseen = [part for part in _parts(unary_union(unseen)) if part.area >= settings.smallest_area]
-    shells = [Polygon(part.exterior) for part in wall.outline.geoms if part.area >= settings.smallest_area]
-    edge = unary_union([*shells, before, *unseen]).buffer(0.5 * wall.spacing, join_style=2)
-    face = edge.difference(unary_union(holed))
+    outlines: dict[str, list] = {}
+    for item, outline in made:
+        outlines.setdefault(item.kind, []).append(outline.polygon)
+    deepest = max((item.depth for item, _ in made if item.kind == PROJECTION), default=0.0)
+    whole = complete(wall, holes, outlines, deepest, settings.smallest_area)
+    face, unseen = whole.face, whole.unseen
     left, bottom = np.round(np.array(face.bounds[:2]), MILLIMETRES)
     moved = Frame(frame.world([[left, bottom, 0.0]])[0], frame.azimuth, frame.tilt)
     details = [
-        _detail(points, item, translate_outline(outline, -left, -bottom), -left, -bottom)
-        for item, outline in made
+        _detail(points, item, _moved(outline, -left, -bottom), -left, -bottom) for item, outline in made
     ]
     details.sort(
         key=lambda detail: (-(detail.outline.centroid.y // ROW), detail.outline.centroid.x, detail.kind)
     )
     return Elevation(
         moved,
-        MultiPolygon(_parts(translate(face, -left, -bottom))),
+        MultiPolygon(parts_of(translate(face, -left, -bottom))),
         tuple(replace(detail, number=number) for number, detail in enumerate(details, start=1)),
         tuple(translate(part, -left, -bottom) for part in unseen),
         wall.spacing,
         _shown(scene, settings),
+        tuple(_lacking(points)),
     )
+
+
+def _lacking(points: Points) -> Iterator[str]:
+    """Yield what could not be done with the points, in sentences."""
+    if points.rgb is None:
+        yield "The points have no colour, so only openings, recesses and projections were looked for."
+    elif points.intensity is None:
+        yield (
+            "The points have no intensity, so the edge of a cast shadow cannot be told from that of a "
+            "detail; check the coloured details."
+        )
 
 
 def _is_large(item: Found, settings: Settings) -> bool:
     return item.border.ring.area >= settings.smallest_area
 
 
-def _parts(geometry) -> list[Polygon]:
-    return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 0]
-
-
-def translate_outline(outline, u: float, v: float):
+def _moved(outline, u: float, v: float):
     """Return an outline, moved."""
     return replace(outline, polygon=translate(outline.polygon, u, v))
 

@@ -1,18 +1,30 @@
 """Read all points of a scan."""
 
 from collections.abc import Iterator
+from typing import Optional
 
 import numpy as np
 
 from ..clouds.cloud import Cloud, parts
+from ..clouds.thinning import thin_cloud
 from ..progress import Progress
 from .model import Points
 
 CHUNK_SIZE = 1_000_000
 
+FINEST, COARSER = 0.002, 1.05
+"""The first distance that points are thinned to (m), and by how much the next is larger at least."""
 
-def read_points(cloud: Cloud, progress: Progress = Progress()) -> Points:
+
+def read_points(cloud: Cloud, progress: Progress = Progress(), most: Optional[int] = None) -> Points:
     """Return the points of a cloud, with colour and intensity where all its files have them.
+
+    Parameters
+    ----------
+    cloud : Cloud
+    progress : Progress
+    most : int, optional
+        A cloud of more points is thinned to a distance at which there are no more.
 
     Raises
     ------
@@ -29,12 +41,35 @@ def read_points(cloud: Cloud, progress: Progress = Progress()) -> Points:
         within = np.zeros(len(chunk.xyz), np.int64) if chunk.scan is None else chunk.scan
         scans.append(number * (1 << 32) + within)
     _, scan = np.unique(np.concatenate(scans), return_inverse=True)
-    return Points(
+    points = Points(
         np.concatenate(xyz),
         cloud.origin,
         np.concatenate(rgb) if has_rgb else None,
         np.concatenate(intensity) if has_intensity else None,
         scan.astype(np.int32),
+    )
+    if most is None or len(points.xyz) <= most:
+        return points
+    return _thinned(cloud, points, most, progress)
+
+
+def _thinned(cloud: Cloud, points: Points, most: int, progress: Progress) -> Points:
+    spacing, kept = FINEST, np.arange(len(points.xyz))
+    while len(kept) > most:
+        kept = thin_cloud(cloud, spacing).kept
+        # Points lie on surfaces, so their number falls with the square of their distance.
+        used, spacing = spacing, spacing * max(COARSER, np.sqrt(len(kept) / most))
+    progress.update(
+        1.0,
+        f"The {len(points.xyz)} points were thinned to {len(kept)}, {1000 * used:.1f} mm apart; cut the "
+        "cloud to the facade for more.",
+    )
+    return Points(
+        points.xyz[kept],
+        points.origin,
+        None if points.rgb is None else points.rgb[kept],
+        None if points.intensity is None else points.intensity[kept],
+        points.scan[kept],
     )
 
 
