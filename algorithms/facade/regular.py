@@ -32,6 +32,9 @@ FAR = 4.0
 ARC_POINTS = 49
 """Corners of the polygon that stands for an arch."""
 
+SCATTERED = 1.5
+"""Scatter along an edge is estimated from few places; so much of it counts, lest chance look like a rest."""
+
 GAIN = 0.8
 """An arch is taken for a rectangle unless it lowers the rms to this share."""
 
@@ -244,7 +247,7 @@ def edge_deviation(residuals: np.ndarray, places: np.ndarray, gaps: np.ndarray) 
         return float("nan")
     gap = float(np.median(gaps))
     scatter = (1.4826 * float(np.median(np.abs(residuals - np.median(residuals))))) ** 2
-    unseen = max(gap**2 / 12 - scatter, 0.0)
+    unseen = max(gap**2 / 12 - SCATTERED * scatter, 0.0)
     length = float(np.hypot(*np.ptp(places, axis=0)))
     independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)
     return float(np.sqrt(unseen + (scatter + FLOOR**2) / independent))

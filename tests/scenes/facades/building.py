@@ -1,6 +1,6 @@
 """Parts of facades. Lengths in metres, in u (right), v (up) and w (out of the wall)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from ichnograph.algorithms.facade.model import COLOURED, OPENING, PROJECTION, RECESS
@@ -27,6 +27,7 @@ class Builder:
     panels: list = field(default_factory=list)
     leaves: list = field(default_factory=list)
     details: list = field(default_factory=list)
+    rise: float = 0.0
 
     def front(self, outline: Polygon, w: float, colour, reflectance: float, returns: float = 1.0) -> None:
         """Add a panel along the wall."""
@@ -94,6 +95,7 @@ class Builder:
 
     def street(self, rise: float) -> None:
         """Lay the ground before the wall, rising to the right."""
+        self.rise = rise
         slope = np.array([1.0, rise, 0.0]) / np.hypot(1.0, rise)
         origin = np.array([-8.0, -8.0 * rise - 0.5 * self.width * rise, 0.0])
         self.panels.append(
@@ -117,10 +119,19 @@ class Builder:
                 # A gate has no wall below.
                 solid = solid.difference(box(left, -0.5, right, 0))
         self.front(solid, 0.0, PLASTER, 0.75)
+        details = tuple(self._above_ground(detail) for detail in self.details)
         return FacadeScene(
-            name, wall, tuple(self.details), tuple(self.panels), tuple(self.leaves), light,
+            name, wall, details, tuple(self.panels), tuple(self.leaves), light,
             np.array(stations, float), tuple(gains),
         )  # fmt: skip
+
+    def _above_ground(self, detail: TrueDetail) -> TrueDetail:
+        """Return a detail without what the street hides of it, up to its height at the middle."""
+        left, bottom, right, top = detail.outline.bounds
+        ground = self.rise * (0.5 * (left + right) - 0.5 * self.width)
+        if bottom > 1e-6:
+            return detail
+        return replace(detail, outline=detail.outline.intersection(box(left, ground, right, top)))
 
 
 def arched(left: float, bottom: float, width: float, height: float, corners: int = 48) -> Polygon:
