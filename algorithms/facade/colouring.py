@@ -22,7 +22,10 @@ BAND, CORE = 3.0, 10.0
 BEAM = 0.01
 """A band is at least as wide as this: laser beams are rarely wider (m)."""
 
-COMPARED = 6
+DIVISIONS = 5
+"""Times that a border is divided, at most."""
+
+COMPARED = 24
 """Points on either side that a point at a border is compared with."""
 
 
@@ -99,7 +102,8 @@ def divide_at_half(
     """Return which points are of a detail, with those at its border given to the side that they resemble.
 
     The laser spot is mixed of both sides there, and the region that grew first took all of them. Divided
-    where either side has half of the spot, neither gains. Intensity divides where the sides differ in it,
+    where either side has half of the spot, neither gains. Repeated, it does not matter where the region
+    ended. Intensity divides where the sides differ in it,
     for shadows do not matter to it; colour elsewhere.
 
     Parameters
@@ -112,6 +116,17 @@ def divide_at_half(
     colour : float
         Two sides that differ by less are left as they are.
     """
+    for _ in range(DIVISIONS):
+        divided = _divide_once(mesh, linked, looks, inside, spacing, colour)
+        if np.array_equal(divided, inside):
+            break
+        inside = divided
+    return inside
+
+
+def _divide_once(
+    mesh: Mesh, linked: np.ndarray, looks: Appearance, inside: np.ndarray, spacing: float, colour: float
+) -> np.ndarray:
     first, second = mesh.edges[linked].T
     mixed = inside[first] != inside[second]
     contacts = mesh.points[np.unique(np.concatenate([first[mixed], second[mixed]]))]

@@ -1,5 +1,7 @@
 """The elevation as a drawing: DXF in metres, a layer for each kind."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -24,10 +26,6 @@ LAYERS = {
 
 TEXT_HEIGHT = 0.12
 TEXT_CENTRE = 4
-NOWHEN = 2451545.0
-"""The date in every drawing, 1 January 2000, so that the same elevation gives the same file."""
-
-NOBODY = "{00000000-0000-0000-0000-000000000000}"
 
 
 def load_ezdxf() -> Any:
@@ -58,6 +56,16 @@ def write_drawing(path: Path, elevation: Elevation) -> None:
         If the file cannot be written.
     """
     ezdxf = load_ezdxf()
+    with _without_dates(ezdxf):
+        document = _draw(ezdxf, elevation)
+        with (
+            atomic_output(path) as temporary,
+            temporary.open("w", encoding="cp1252", errors="dxfreplace") as stream,
+        ):
+            document.write(stream)
+
+
+def _draw(ezdxf: Any, elevation: Elevation) -> Any:
     document = ezdxf.new("R2000", units=METRES)
     for name, colour in LAYERS.items():
         document.layers.add(name, color=colour)
@@ -74,12 +82,7 @@ def write_drawing(path: Path, elevation: Elevation) -> None:
         centre = detail.outline.centroid
         text.dxf.halign, text.dxf.align_point = TEXT_CENTRE, (centre.x, centre.y)
         text.dxf.insert = (centre.x, centre.y)
-    _make_reproducible(document)
-    with (
-        atomic_output(path) as temporary,
-        temporary.open("w", encoding="cp1252", errors="dxfreplace") as stream,
-    ):
-        document.write(stream)
+    return document
 
 
 def _add(model: Any, polygon: Any, layer: str) -> None:
@@ -94,11 +97,12 @@ def _add_frame(document: Any, frame: Frame) -> None:
     document.ucs.new("FACADE", dxfattribs=attributes)
 
 
-def _make_reproducible(document: Any) -> None:
-    """Leave out what differs from run to run: dates and random numbers."""
-    document.ezdxf_metadata()["CREATED_BY_EZDXF"] = "Ichnograph"
-    document.ezdxf_metadata()["WRITTEN_BY_EZDXF"] = "Ichnograph"
-    for name in ("$TDCREATE", "$TDUCREATE", "$TDUPDATE", "$TDUUPDATE"):
-        document.header[name] = NOWHEN
-    for name in ("$FINGERPRINTGUID", "$VERSIONGUID"):
-        document.header[name] = NOBODY
+@contextmanager
+def _without_dates(ezdxf: Any) -> Iterator[None]:
+    """Let the same elevation give the same file: no dates and random numbers in it."""
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        yield
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before

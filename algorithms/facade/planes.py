@@ -1,5 +1,6 @@
 """The planes of a facade and their points, apart from ground, side walls and trees."""
 
+from dataclasses import replace
 from typing import Optional
 
 import numpy as np
@@ -30,6 +31,13 @@ MOST_COMPETITORS = 15
 SHARE, FEWEST = 0.01, 100
 """The derived number of points of the smallest plane: a share of the main plane's, and no less than this."""
 
+COARSE, ROUNDS = 2.0, 30
+"""The cubes in which the main plane is looked for, in units of ds, and the refits of it at most."""
+
+STEP = 100
+"""Every so-manyth point tells which way the facade faces."""
+
+MAD_TO_SIGMA = 1.4826
 CERTAIN = 3.0
 """Points within this many standard deviations are of a plane, whatever the normal around them."""
 
@@ -68,25 +76,65 @@ def find_planes(
     NothingFoundError
         If there is no upright plane.
     """
-    voxels = make_voxels(points.xyz, distance)
-    progress.update(
-        0.2, f"{len(points.xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m."
+    axes = _axes_of_facade(points.xyz, distance)
+    progress.update(0.3)
+    found = _in_frame(points.xyz @ axes.T, distance, min_points, max_planes, progress)
+    planes = tuple(
+        replace(plane, normal=plane.normal @ axes, centre=plane.centre @ axes) for plane in found.planes
     )
-    every = extract(voxels, distance, MOST_COMPETITORS, SMALLEST)
-    upright = [patch for patch in every if abs(patch.normal[2]) < np.sin(np.radians(UPRIGHT))]
+    return Segmentation(planes, found.labels)
+
+
+def _axes_of_facade(xyz: np.ndarray, distance: float) -> np.ndarray:
+    """Return x along the main plane, y at right angles to it and z up, as rows, shape (3, 3).
+
+    Cubes that lie along the wall are the same however the site is turned, and so are the planes.
+    """
+    voxels = make_voxels(xyz, COARSE * distance)
+    main = _largest_upright(extract(voxels, distance, MOST_COMPETITORS, SMALLEST), xyz, distance)
+    normal, place = main.normal, main.place
+    whole, xyz = xyz, xyz[np.abs((xyz - place) @ normal) <= COARSE * distance]
+    for _ in range(ROUNDS):
+        heights = (xyz - place) @ normal
+        near = np.abs(heights) <= SHARP * distance
+        near &= np.abs(heights) <= CERTAIN * MAD_TO_SIGMA * np.median(np.abs(heights[near]))
+        place = xyz[near].mean(axis=0)
+        turned = np.linalg.eigh(np.cov((xyz[near] - place).T))[1][:, 0]
+        still = abs(turned @ normal) > 1 - 1e-14
+        normal = turned
+        if still:
+            break
+    out = np.array([normal[0], normal[1], 0.0]) / np.hypot(*normal[:2])
+    # Of both directions the same one, wherever north is.
+    behind, before = np.percentile((whole[::STEP] - place) @ out, (5, 95))
+    out = -out if -behind > before else out
+    return np.array([[-out[1], out[0], 0.0], out, [0.0, 0.0, 1.0]])
+
+
+def _largest_upright(patches: list[Patch], xyz: np.ndarray, distance: float) -> Patch:
+    upright = [patch for patch in patches if abs(patch.normal[2]) < np.sin(np.radians(UPRIGHT))]
     if not upright:
-        raise NothingFoundError(_nothing(points.xyz, distance))
-    main = _facing_scanner(max(upright, key=lambda patch: patch.area), voxels.centres)
-    progress.update(0.5, f"The main plane covers {main.area:.1f} m2.")
+        raise NothingFoundError(_nothing(xyz, distance))
+    return max(upright, key=lambda patch: patch.area)
+
+
+def _in_frame(
+    xyz: np.ndarray, distance: float, min_points: Optional[int], max_planes: int, progress: Progress
+) -> Segmentation:
+    voxels = make_voxels(xyz, distance)
+    progress.update(0.4, f"{len(xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m.")
+    every = extract(voxels, distance, MOST_COMPETITORS, SMALLEST)
+    main = _facing_scanner(_largest_upright(every, xyz, distance), voxels.centres)
+    progress.update(0.6, f"The main plane covers {main.area:.1f} m2.")
     competitors = [patch for patch in every if not _is_facade(patch, main)]
-    secondary = _secondary(points.xyz, main, competitors, distance)[: max(max_planes - 1, 0)]
+    secondary = _secondary(xyz, main, competitors, distance)[: max(max_planes - 1, 0)]
     progress.update(0.8)
     patches = [main, *(_along(patch, main) for patch in secondary)]
-    labels = _assign(points.xyz, voxels, [*patches, *competitors], distance)
+    labels = _assign(xyz, voxels, [*patches, *competitors], distance)
     before = [_is_before(patch, main) for patch in competitors]
     others = np.array([NONE, *range(1, len(patches) + 1), *np.where(before, OTHER, NONE)], np.int16)
     labels = others[labels]
-    return _largest_first(points.xyz, patches, labels, min_points, progress)
+    return _largest_first(xyz, patches, labels, min_points, progress)
 
 
 def _nothing(xyz: np.ndarray, distance: float) -> str:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
 from scipy.spatial import cKDTree
 
 MOST = 100_000
@@ -38,15 +39,15 @@ def make_voxels(xyz: np.ndarray, size: float) -> Voxels:
     """Sort points, shape (n, 3), into cubes of at least `size` (m)."""
     corner = xyz.min(axis=0)
     while True:
-        cells = ((xyz - corner) / size).astype(np.int64)
-        across = cells.max(axis=0) + 1
-        keys = (cells[:, 0] * across[1] + cells[:, 1]) * across[2] + cells[:, 2]
-        _, of_point, counts = np.unique(keys, return_inverse=True, return_counts=True)
-        if len(counts) <= MOST:
+        x, y, z = (((xyz[:, axis] - corner[axis]) / size).astype(np.int64) for axis in range(3))
+        codes, keys = pd.factorize((x * (y.max() + 1) + y) * (z.max() + 1) + z)
+        if len(keys) <= MOST:
             break
         # The cubes lie on surfaces.
-        size *= 1.1 * np.sqrt(len(counts) / MOST)
-    of_point = of_point.reshape(-1)
+        size *= 1.1 * np.sqrt(len(keys) / MOST)
+    # In the order of their places, which no order of the points changes.
+    of_point = np.argsort(np.argsort(keys))[codes]
+    counts = np.bincount(of_point)
     sums = [np.bincount(of_point, xyz[:, axis]) for axis in range(3)]
     centres = np.stack(sums, axis=1) / counts[:, None]
     return Voxels(float(size), centres, _normals(centres), of_point)
