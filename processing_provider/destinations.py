@@ -16,8 +16,11 @@ from qgis.core import (
     QgsProcessingParameterVectorDestination,
 )
 
-from ..algorithms.errors import InputError
+from ..algorithms.errors import InputError, MissingPackageError
+from .dependencies import lacking
 from .parameters import Parameter
+
+DRAWING_MODULES = ("ezdxf",)
 
 
 @dataclass(frozen=True)
@@ -162,10 +165,21 @@ class TableDestination(FileDestination):
 
 @dataclass(frozen=True)
 class DrawingDestination(FileDestination):
-    """A drawing."""
+    """A drawing, not made unless asked for, since it needs a package that QGIS may lack."""
 
     extensions = (".dxf",)
     filters = "DXF files (*.dxf)"
+
+    def _definition(self) -> QgsProcessingParameterFileDestination:
+        definition = super()._definition()
+        definition.setCreateByDefault(False)
+        return definition
+
+    def value(self, algorithm, parameters, context) -> Optional[Path]:
+        path = super().value(algorithm, parameters, context)
+        if path and lacking(DRAWING_MODULES):
+            raise MissingPackageError(self.name, DRAWING_MODULES, "written")
+        return path
 
 
 @dataclass(frozen=True)

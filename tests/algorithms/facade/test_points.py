@@ -1,0 +1,76 @@
+"""Points come with what all files have of colour, intensity and scan."""
+
+import laspy
+import numpy as np
+import pytest
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.facade.points import read_points
+from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+
+COUNT = 40
+
+
+def las(path, colour=True, factor=257, intensity=True, station=1, count=COUNT):
+    generator = np.random.default_rng(station)
+    header = laspy.LasHeader(point_format=2 if colour else 0, version="1.2")
+    header.scales = np.full(3, 0.001)
+    cloud = laspy.LasData(header)
+    cloud.x, cloud.y, cloud.z = generator.uniform(0, 5, (3, count))
+    if colour:
+        cloud.red, cloud.green, cloud.blue = generator.integers(0, 256, (3, count)) * factor
+    if intensity:
+        cloud.intensity = generator.integers(1, 5000, count)
+    cloud.point_source_id = np.full(count, station, np.uint16)
+    cloud.write(str(path))
+    return path
+
+
+@pytest.mark.parametrize("factor", [1, 257], ids=["8 bits in 16", "16 bits"])
+def test_colour_is_0_to_255_whatever_the_file_has(tmp_path, factor):
+    path = las(tmp_path / "a.laz", factor=factor)
+    points = read_points(open_cloud([path]))
+
+    raw = laspy.read(path)
+    np.testing.assert_allclose(
+        points.rgb, np.column_stack([raw.red, raw.green, raw.blue]) / factor, atol=0.01
+    )
+
+
+def test_a_file_without_colour_or_intensity_has_none(tmp_path):
+    points = read_points(open_cloud([las(tmp_path / "a.laz", colour=False, intensity=False)]))
+    assert points.rgb is None and points.intensity is None
+
+
+def test_colour_that_only_some_files_have_is_not_used(tmp_path):
+    paths = [las(tmp_path / "a.laz"), las(tmp_path / "b.laz", colour=False, station=2)]
+    points = read_points(open_cloud(paths))
+
+    assert points.rgb is None
+    assert points.intensity is not None and len(points.xyz) == 2 * COUNT
+
+
+def test_scans_are_told_by_point_source_file_and_block(tmp_path):
+    paths = [las(tmp_path / "a.laz", station=5), las(tmp_path / "b.laz", station=5)]
+    cells = np.random.default_rng(0).uniform(1, 2, (10, 4))
+    paths.append(write_ptx(tmp_path / "c.ptx", cells, cells))
+    points = read_points(open_cloud(paths))
+
+    assert [np.sum(points.scan == number) for number in range(4)] == [COUNT, COUNT, 10, 10]
+
+
+def test_the_scans_of_an_e57_are_told_apart(tmp_path):
+    cells = np.random.default_rng(0).uniform(1, 2, (10, 3))
+    points = read_points(open_cloud([write_e57(tmp_path / "a.e57", cells, cells[:4])]))
+    assert np.bincount(points.scan).tolist() == [10, 4]
+
+
+def test_more_points_than_asked_for_are_thinned_the_same_in_any_order(tmp_path):
+    xyz = np.random.default_rng(0).uniform(0, 1, (4000, 3)) * (1, 0.002, 1)
+    write_ply(tmp_path / "a.ply", xyz)
+    write_ply(tmp_path / "b.ply", xyz[::-1])
+    first, second = (read_points(open_cloud([tmp_path / name]), most=1000) for name in ("a.ply", "b.ply"))
+
+    assert 500 < len(first.xyz) <= 1000
+    assert sorted(map(tuple, (first.xyz + first.origin).round(6))) == sorted(
+        map(tuple, (second.xyz + second.origin).round(6))
+    )
