@@ -176,6 +176,7 @@ class DrawingDestination(FileDestination):
         return definition
 
     def value(self, algorithm, parameters, context) -> Optional[Path]:
+        """Return the path; refuse it if it cannot be written, before anything is computed."""
         path = super().value(algorithm, parameters, context)
         if path and lacking(DRAWING_MODULES):
             raise MissingPackageError(self.name, DRAWING_MODULES, "written")

@@ -145,10 +145,9 @@ def test_a_scan_without_colour_says_so(run, facade, tmp_path, feedback):
     bare.header.scales, bare.header.offsets = cloud.header.scales, cloud.header.offsets
     bare.x, bare.y, bare.z, bare.intensity = cloud.x, cloud.y, cloud.z, cloud.intensity
     bare.write(str(tmp_path / "bare.laz"))
-    result = run(
-        "facadedetails", feedback, INPUT=str(tmp_path / "bare.laz"),
-        ELEVATION=str(tmp_path / "elevation.shp"), SCHEDULE=str(tmp_path / "schedule.csv"), ORTHOIMAGE=str(tmp_path / "orthoimage.tif"),
-    )  # fmt: skip
+    names = ("ELEVATION", "SCHEDULE", "ORTHOIMAGE")
+    files = {name: str(tmp_path / FILES[name]) for name in names}
+    result = run("facadedetails", feedback, INPUT=str(tmp_path / "bare.laz"), **files)
 
     assert any("no colour" in warning for warning in feedback.warnings)
     assert {row["kind"] for row in schedule(result["SCHEDULE"])} == {"opening", "recess", "projection"}
@@ -164,7 +163,7 @@ def test_a_drawing_without_its_package_is_refused_before_anything_is_computed(
     from qgis.core import QgsProcessingException
 
     monkeypatch.setitem(sys.modules, "ezdxf", None)
-    with pytest.raises(QgsProcessingException, match="DRAWING cannot be written.*ezdxf"):
+    with pytest.raises(QgsProcessingException, match=r"DRAWING cannot be written.*ezdxf"):
         run(
             "facadedetails", feedback, INPUT=facade, ELEVATION=str(tmp_path / "elevation.shp"),
             DRAWING=str(tmp_path / "drawing.dxf"),
