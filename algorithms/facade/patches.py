@@ -6,13 +6,13 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from .ransac import NORMAL, best_plane
+from .ransac import NORMAL, SHARP, best_plane, refit
 from .voxels import Voxels
 
 CELL = 0.25
 """Side of the squares in which a plane has points or not (m)."""
 
-BRIDGED = 2
+BRIDGED = 4
 """Empty squares between parts of one plane."""
 
 
@@ -107,9 +107,11 @@ def extract(voxels: Voxels, distance: float, most: int, smallest: float) -> list
         plane = best_plane(centres, normals, distance, seed=len(patches))
         if plane is None:
             break
+        # A plane leans on what is far from its main part more than on that.
+        compact = _own(*plane, centres, normals, distance, 0)
+        plane = refit(centres[compact], *plane, SHARP * distance, normals[compact])
         near = np.abs((centres - plane[1]) @ plane[0]) <= distance
-        own = near & (np.abs(normals @ plane[0]) >= NORMAL)
-        own[own] = _largest_part(*plane, centres[own])
+        own = _own(*plane, centres, normals, distance, BRIDGED)
         area = float(own.sum() * voxels.size**2)
         if area < smallest:
             break
@@ -119,14 +121,32 @@ def extract(voxels: Voxels, distance: float, most: int, smallest: float) -> list
     return patches
 
 
-def _largest_part(normal: np.ndarray, place: np.ndarray, centres: np.ndarray) -> np.ndarray:
+def _own(
+    normal: np.ndarray,
+    place: np.ndarray,
+    centres: np.ndarray,
+    normals: np.ndarray,
+    distance: float,
+    bridged: int,
+) -> np.ndarray:
+    """Tell which cubes are on a plane, in the largest part of it over gaps of so many empty squares."""
+    own = (np.abs((centres - place) @ normal) <= distance) & (np.abs(normals @ normal) >= NORMAL)
+    own[own] = _largest_part(normal, place, centres[own], bridged)
+    return own
+
+
+def _largest_part(normal: np.ndarray, place: np.ndarray, centres: np.ndarray, bridged: int) -> np.ndarray:
     """Tell which points, shape (n, 3), are in the largest connected part of them."""
     if not len(centres):
         return np.zeros(0, bool)
-    patch = make_patch(normal, place, centres, 0.0)
-    closed = ndimage.binary_dilation(np.pad(patch.squares, BRIDGED), iterations=BRIDGED)
+    squares = make_patch(normal, place, centres, 0.0)
+    # A part reaches half a gap further on either side.
+    reach = bridged // 2
+    closed = np.pad(squares.squares, reach)
+    if reach:
+        closed = ndimage.binary_dilation(closed, iterations=reach)
     parts, _ = ndimage.label(closed, np.ones((3, 3)))
-    parts = parts[BRIDGED:-BRIDGED, BRIDGED:-BRIDGED]
-    cells = np.floor(((centres - place) @ patch.axes.T - patch.corner) / CELL).astype(np.int64)
+    parts = parts[reach : parts.shape[0] - reach, reach : parts.shape[1] - reach]
+    cells = np.floor(((centres - place) @ squares.axes.T - squares.corner) / CELL).astype(np.int64)
     own = parts[cells[:, 1], cells[:, 0]]
     return own == np.argmax(np.bincount(own))

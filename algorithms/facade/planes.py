@@ -8,8 +8,8 @@ import numpy as np
 from ..errors import NothingFoundError
 from ..progress import Progress
 from .model import Plane, Points, Segmentation
-from .patches import Patch, extract
-from .ransac import NORMAL, SHARP
+from .patches import Patch, extract, make_patch
+from .ransac import NORMAL, SHARP, refit
 from .voxels import Voxels, make_voxels
 
 UPRIGHT = 45.0
@@ -31,8 +31,8 @@ MOST_COMPETITORS = 15
 SHARE, FEWEST = 0.01, 100
 """The derived number of points of the smallest plane: a share of the main plane's, and no less than this."""
 
-COARSE, ROUNDS = 2.0, 30
-"""The cubes in which the main plane is looked for, in units of ds, and the refits of it at most."""
+COARSE = 2.0
+"""The cubes in which the main plane is looked for, in units of ds."""
 
 STEP = 100
 """Every so-manyth point tells which way the facade faces."""
@@ -92,18 +92,8 @@ def _axes_of_facade(xyz: np.ndarray, distance: float) -> np.ndarray:
     """
     voxels = make_voxels(xyz, COARSE * distance)
     main = _largest_upright(extract(voxels, distance, MOST_COMPETITORS, SMALLEST), xyz, distance)
-    normal, place = main.normal, main.place
-    whole, xyz = xyz, xyz[np.abs((xyz - place) @ normal) <= COARSE * distance]
-    for _ in range(ROUNDS):
-        heights = (xyz - place) @ normal
-        near = np.abs(heights) <= SHARP * distance
-        near &= np.abs(heights) <= CERTAIN * MAD_TO_SIGMA * np.median(np.abs(heights[near]))
-        place = xyz[near].mean(axis=0)
-        turned = np.linalg.eigh(np.cov((xyz[near] - place).T))[1][:, 0]
-        still = abs(turned @ normal) > 1 - 1e-14
-        normal = turned
-        if still:
-            break
+    whole, xyz = xyz, xyz[np.abs(main.heights(xyz)) <= COARSE * distance]
+    normal, place = refit(xyz, main.normal, main.place, SHARP * distance)
     out = np.array([normal[0], normal[1], 0.0]) / np.hypot(*normal[:2])
     # Of both directions the same one, wherever north is.
     behind, before = np.percentile((whole[::STEP] - place) @ out, (5, 95))
@@ -180,10 +170,20 @@ def _secondary(xyz: np.ndarray, main: Patch, competitors: list[Patch], distance:
     zone = ((places > low) & (places < high)).all(axis=1) & (np.abs(main.heights(xyz)) <= DEPTH)
     for patch in (main, *competitors):
         zone[zone] = ~((np.abs(patch.heights(xyz[zone])) <= distance) & patch.covers(xyz[zone]))
-    if zone.sum() < FEWEST:
+    left = xyz[zone]
+    if len(left) < FEWEST:
         return []
-    found = extract(make_voxels(xyz[zone], distance), distance, MOST_COMPETITORS, SMALLEST)
-    return [patch for patch in found if _is_facade(patch, main)]
+    found = extract(make_voxels(left, distance), distance, MOST_COMPETITORS, SMALLEST)
+    refitted = [_refitted(patch, left, distance) for patch in found]
+    return [patch for patch in refitted if _is_facade(patch, main)]
+
+
+def _refitted(patch: Patch, xyz: np.ndarray, distance: float) -> Patch:
+    """Return the plane of the points themselves: cubes at its edges hold points of its sides too."""
+    near = np.flatnonzero(np.abs(patch.heights(xyz)) <= distance)
+    near = near[patch.covers(xyz[near])]
+    plane = refit(xyz[near], patch.normal, patch.place, SHARP * distance)
+    return make_patch(*plane, patch.centres_of_squares(), patch.area)
 
 
 def _along(patch: Patch, main: Patch) -> Patch:

@@ -42,19 +42,26 @@ def best_plane(
     normal, place = np.zeros(3), np.zeros(3)
     if _search(points, normals, SHARP * distance, ITERATIONS, seed, normal, place) <= 0:
         return None
-    return refit(points, normals, normal, place, SHARP * distance)
+    return refit(points, normal, place, SHARP * distance, normals)
 
 
 def refit(
-    points: np.ndarray, normals: np.ndarray, normal: np.ndarray, place: np.ndarray, reach: float
+    points: np.ndarray,
+    normal: np.ndarray,
+    place: np.ndarray,
+    reach: float,
+    normals: Optional[np.ndarray] = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the plane of total least squares of the points near a plane, until it stays.
 
-    Only points within three standard deviations count, at most within `reach` (m).
+    Only points within three standard deviations count, at most within `reach` (m), and if their normals are
+    known, only those that face as the plane does.
     """
     for _ in range(ROUNDS):
         distances = (points - place) @ normal
-        near = (np.abs(distances) <= reach) & (np.abs(normals @ normal) >= NORMAL)
+        near = np.abs(distances) <= reach
+        if normals is not None:
+            near &= np.abs(normals @ normal) >= NORMAL
         if near.sum() < 3:
             return normal, place
         sigma = max(1.4826 * float(np.median(np.abs(distances[near]))), LEAST_SIGMA)

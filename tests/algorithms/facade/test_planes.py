@@ -70,6 +70,19 @@ def test_planes_6_cm_apart_stay_two():
     assert abs(between) == pytest.approx(0.06, abs=0.001)
 
 
+def test_a_narrow_string_course_does_not_lean_towards_windows_below():
+    frames = [upright(1, 0.5, w=-0.15, seed=seed) + (x, 0, 1.0) for seed, x in ((2, 1), (3, 4))]
+    wall = upright(6, 4)
+    seen = ~((wall[:, 2] > 1) & (wall[:, 2] < 1.5) & (np.abs(wall[:, 0] % 3 - 1.5) < 0.5))
+    course = upright(6, 0.16, w=0.07, seed=1) + (0, 0, 2.3)
+    found = find_planes(bare(np.concatenate([wall[seen], course, *frames])), DISTANCE)
+
+    before = [plane for plane in found.planes if abs(plane.centre[2] - 2.38) < 0.02]
+    assert len(before) == 1
+    assert before[0].normal @ found.planes[0].normal > np.cos(2e-3)
+    assert before[0].rms < 0.0015
+
+
 @settings(max_examples=10, deadline=None)
 @given(distance=st.floats(0.01, 0.1), noise=st.floats(0.0, 0.02))
 def test_no_point_is_farther_from_its_plane_than_the_distance(distance, noise):
