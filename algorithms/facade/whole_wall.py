@@ -16,8 +16,9 @@ DEEP, DEEPEST = 2.0, 0.5
 NEAR = 3.0
 """A gap is beside a projection if it is nearer than this many spacings."""
 
-SMOOTH = 0.5
-"""Outlines that only single points give are smoothed by this many spacings."""
+SMOOTH, NOTCH = 0.5, 2.0
+"""Outlines that only single points give are smoothed by so many spacings, and notches of less than twice
+the second filled. The wall ends half a spacing beyond its outermost points."""
 
 
 @dataclass(frozen=True)
@@ -62,10 +63,11 @@ def complete(
     # Slivers beside a projection are narrower than what was seen around them.
     unseen = unseen.buffer(-wall.spacing, join_style=2).buffer(wall.spacing, join_style=2)
     unseen = tuple(part for part in parts_of(unseen) if part.area >= smallest)
-    edge = unary_union([seen, *unseen]).buffer(smooth, join_style=2)
     holed = [
         outline for kind, own in outlines.items() if kind not in (COLOURED, PROJECTION) for outline in own
     ]
+    edge = unary_union([seen, *unseen, *holed]).buffer(NOTCH * wall.spacing, join_style=2)
+    edge = edge.buffer((SMOOTH - NOTCH) * wall.spacing, join_style=2)
     return WholeWall(edge.difference(unary_union(holed)), unseen)
 
 
