@@ -11,7 +11,8 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test lint accuracy benchmark figure2 real package test-matrix
-.PHONY: registration registration-chain registration-peers registration-statistics registration-figure
+.PHONY: facade facade-peers
+.PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
 help:  ## Show this list
@@ -39,7 +40,7 @@ distribution:
 	.tools/bin/pip install --quiet $(TOOLS)
 	@touch $@
 
-demo: setup  ## Simulate scans of ruins as they come from the field, register them and make the site plan
+demo: setup  ## Simulate scans of ruins and of a facade, register them, make the site plan and the elevation
 	@rm -rf $(DEMO) && mkdir -p $(DEMO)
 	$(RUN) -m ichnograph.tests.scenes ruins $(DEMO)/scan.laz --angular-step 0.2 --survey $(DEMO)/control.txt \
 		--move 12 412345.6 5812345.7 71.3
@@ -51,9 +52,16 @@ demo: setup  ## Simulate scans of ruins as they come from the field, register th
 	scripts/qgis_process run ichnograph:siteplan -- $$(printf 'INPUT=%s ' $(DEMO)/registered/*.laz) \
 		DENSITY=$(DEMO)/density.tif PLAN=$(DEMO)/plan.tif WALLS=$(DEMO)/walls.shp
 	$(RUN) scripts/picture.py $(DEMO)/density.tif $(DEMO)/walls.shp $(DEMO)/siteplan.png
+	$(RUN) -m ichnograph.tests.scenes.facades medina $(DEMO)/facade.laz --spacing 0.015 \
+		--move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
+	scripts/qgis_process run ichnograph:facadedetails -- INPUT=$(DEMO)/facade.laz ELEVATION=$(DEMO)/elevation.shp \
+		DETAILS=$(DEMO)/details.shp ORTHOIMAGE=$(DEMO)/orthoimage.tif SCHEDULE=$(DEMO)/schedule.csv \
+		DRAWING=$(DEMO)/drawing.dxf
+	$(RUN) scripts/elevation_picture.py $(DEMO)/orthoimage.tif $(DEMO)/elevation.shp $(DEMO)/elevation.png
 	@echo
 	@echo "In $(DEMO): density.tif, plan.tif, walls.shp and a picture of them, siteplan.png;"
-	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration."
+	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration;"
+	@echo "orthoimage.tif, elevation.shp and a picture of them, elevation.png; details.shp, schedule.csv, drawing.dxf."
 
 test: setup lint  ## Check the style and run all tests
 	$(RUN) -m pytest
@@ -80,12 +88,12 @@ real: setup  ## Make the plans of the real scans in ../shared/data
 registration: setup  ## Print how surely targets are matched, beside the peers that are installed
 	$(RUN_PEERS) -m ichnograph.benchmarks.registration
 
-registration-peers: .peers/installed  ## Install the tools that registration is compared with, here
+peers: .peers/installed  ## Install the tools that registration and facades are compared with, here
 
 .peers/installed: | distribution
 	@# One by one, for not every system has all of them; numpy stays that of the distribution.
 	mkdir -p .peers
-	for peer in open3d-cpu kiss-matcher cliquematch; do \
+	for peer in open3d-cpu kiss-matcher cliquematch pyransac3d alphashape click-log trimesh rtree; do \
 		$(PYTHON) -m pip install --quiet --upgrade --target .peers --no-deps $$peer || true; \
 	done
 	@# What open3d needs to be imported.
@@ -101,6 +109,12 @@ registration-figure: setup  ## Remake the figure 9 of the paper: five points of 
 
 registration-chain: setup  ## Print whether errors at the end of a chain of scans are as predicted
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_chain
+
+facade: setup  ## Print how well the details of simulated facades are measured
+	$(RUN) -m ichnograph.benchmarks.facade
+
+facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
+	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
 
 package:  ## Zip the last commit as QGIS installs it
 	@mkdir -p build

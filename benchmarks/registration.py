@@ -211,7 +211,7 @@ def compare(trials: int) -> None:
         for name, tool in installed.items():
             print(row(name, setting, trials, tool), flush=True)
     for name in tools.keys() - installed.keys():
-        print(f"\n{name}: not installed; run make registration-peers.")
+        print(f"\n{name}: not installed; run make peers.")
 
 
 def is_installed(tool: Callable) -> bool:

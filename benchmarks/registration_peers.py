@@ -1,7 +1,7 @@
 """Other tools that find a rigid transformation among many wrong matches, each with its documented settings.
 
 All of them get every target matched with every control point, about the centroids of both lists: none has a
-way of its own to match bare points. `make registration-peers` installs them into .peers.
+way of its own to match bare points. `make peers` installs them into .peers.
 
 scikit-image
     `ransac` with a 3D `EuclideanTransform`, three matches a sample, at most 20,000 samples. Its hook
