@@ -195,9 +195,12 @@ def _assign(xyz: np.ndarray, voxels: Voxels, patches: list[Patch], distance: flo
     labels = np.zeros(len(xyz), np.int16)
     least = np.full(len(xyz), np.inf)
     for number, patch in enumerate(patches, start=1):
-        near = np.flatnonzero(np.abs(patch.heights(xyz)) <= distance)
-        near = near[patch.covers(xyz[near])]
+        beside = np.abs(patch.heights(voxels.centres)) <= distance + np.sqrt(3) * voxels.size
+        near = np.flatnonzero(beside[voxels.of_point])
         heights = np.abs(patch.heights(xyz[near]))
+        own = heights <= distance
+        own[own] = patch.covers(xyz[near[own]])
+        near, heights = near[own], heights[own]
         sigma = 1.4826 * float(np.median(heights[heights <= SHARP * distance])) if len(near) else 0.0
         alike = np.abs(voxels.normals @ patch.normal) >= NORMAL
         fits = (alike[voxels.of_point[near]] | (heights <= CERTAIN * sigma)) & (heights < least[near])
