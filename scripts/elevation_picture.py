@@ -23,6 +23,9 @@ COLOURS = {
     "unseen": "#ffffff",
 }
 
+NARROW = 0.8
+"""Narrower details that are high enough have their height on a line of its own (m)."""
+
 
 def draw(orthoimage: Path, elevation: Path, out: Path) -> None:
     """Write the picture of the two layers, with ids, widths and heights in metres."""
@@ -53,7 +56,9 @@ def _add(axis, polygon, values: dict) -> None:
         PathPatch(path, facecolor=COLOURS[values["kind"]], edgecolor="black", linewidth=0.8, hatch=hatch)
     )
     if values["id"]:
-        label = f"{values['id']}\n{values['width']:.3f} x {values['height']:.3f}"
+        number, width, height = str(values["id"]), f"{values['width']:.3f}", f"x {values['height']:.3f}"
+        narrow = values["width"] < NARROW < values["height"]
+        label = "\n".join([number, width, height] if narrow else [number, f"{width} {height}"])
         box = {"facecolor": "white", "alpha": 0.7, "edgecolor": "none", "pad": 1}
         middle = polygon.centroid
         axis.text(middle.x, middle.y, label, ha="center", va="center", fontsize=8, bbox=box)
