@@ -47,7 +47,8 @@ class Surface:
     @property
     def spacing(self) -> float:
         """Median distance between neighbouring points (m)."""
-        return float(np.median(self.mesh.spacings))
+        # Points in one place have one among them that has neighbours.
+        return float(np.median(self.mesh.spacings[np.isfinite(self.mesh.spacings)]))
 
 
 def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: Settings) -> Surface:

@@ -7,6 +7,8 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.facade.alpha_shape import alpha_shape
 from ichnograph.algorithms.facade.denoising import remove_noise
 from ichnograph.algorithms.facade.mesh import triangulate
+from ichnograph.algorithms.facade.settings import Settings
+from ichnograph.algorithms.facade.surface import make_surface
 from ichnograph.tests.algorithms.facade.simple import lattice
 from shapely.geometry import Polygon
 
@@ -101,3 +103,12 @@ def test_larger_triangles_are_allowed_with_a_larger_factor():
     mesh = triangulate(points)
     assert remove_noise(mesh, 1e6, 5, 10).all()
     assert not remove_noise(mesh, 3, 5, 10).all()
+
+
+def test_a_surface_whose_points_come_twice_is_the_surface_of_the_points():
+    uvw = np.column_stack([lattice(0, 0, 2, 1, 0.05), np.zeros(800)])
+    once = make_surface(uvw, np.arange(len(uvw)), Settings())
+    twice = make_surface(np.repeat(uvw, 2, axis=0), np.arange(2 * len(uvw)), Settings())
+
+    assert twice.spacing == pytest.approx(once.spacing)
+    assert twice.outline.area == pytest.approx(once.outline.area)
