@@ -10,6 +10,11 @@ from rasterio.io import MemoryFile
 
 from ..errors import InputError
 
+# What GDAL calls a frame of no known place, such as a scanner's own.
+LOCAL = ("LOCAL_CS", "ENGCRS", "ENGINEERINGCRS")
+# What a GeoPackage has that was written without a system.
+UNDEFINED = "Undefined geographic SRS"
+
 
 def parse_wkt(wkt: str) -> CRS:
     """Return the horizontal part of a coordinate reference system in WKT 1 or 2.
@@ -23,6 +28,26 @@ def parse_wkt(wkt: str) -> CRS:
         return horizontal(CRS.from_wkt(wkt))
     except CRSError as error:
         raise ValueError(str(error)) from error
+
+
+def parse_layer_wkt(wkt: str, owner: str) -> Optional[CRS]:
+    """Return the horizontal system of a vector layer, None if it has none; `owner` is what messages call it.
+
+    Raises
+    ------
+    InputError
+        If the text is not a coordinate reference system, or not in metres.
+    """
+    if not wkt or wkt.startswith(LOCAL) or UNDEFINED in wkt:
+        return None
+    try:
+        crs = parse_wkt(wkt)
+    except ValueError as error:
+        raise InputError(
+            f"The coordinate reference system of {owner} is not understood; assign it again."
+        ) from error
+    require_metres(crs, owner)
+    return crs
 
 
 def parse_geotiff_keys(directory: bytes, doubles: bytes, text: bytes) -> Optional[CRS]:

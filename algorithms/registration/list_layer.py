@@ -8,18 +8,13 @@ from typing import Optional
 import fiona
 import numpy as np
 from fiona.errors import FionaError
-from rasterio.crs import CRS
 
-from ..clouds.crs import parse_wkt, require_metres
+from ..clouds.crs import parse_layer_wkt
 from ..clouds.normals import simplified
 from ..errors import InputError
 from .list_rows import ROLES, Rows
 
 SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
-# What GDAL calls a frame of no known place, such as the scanner's own.
-LOCAL = ("LOCAL_CS", "ENGCRS", "ENGINEERINGCRS")
-# What a GeoPackage has that was written without a system.
-UNDEFINED = "Undefined geographic SRS"
 
 
 def read_layer(path: Path, layer: Optional[str]) -> Rows:
@@ -67,7 +62,7 @@ def read_features(source: str, features: Iterable, wkt: str) -> Rows:
         )
     names = _names(source, attributes)
     places = tuple(f"feature {place}" for place in range(1, len(points) + 1))
-    return Rows(source, places, names, xyz, _system(source, wkt))
+    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source))
 
 
 @contextmanager
@@ -167,16 +162,3 @@ def _text(value: object) -> str:
     if isinstance(value, float) and value.is_integer():
         return str(int(value))
     return str(value).strip()
-
-
-def _system(source: str, wkt: str) -> Optional[CRS]:
-    if not wkt or wkt.startswith(LOCAL) or UNDEFINED in wkt:
-        return None
-    try:
-        crs = parse_wkt(wkt)
-    except ValueError as error:
-        raise InputError(
-            f"The coordinate reference system of {source} is not understood; assign it again."
-        ) from error
-    require_metres(crs, source)
-    return crs
