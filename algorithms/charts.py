@@ -1,4 +1,4 @@
-"""Bars and histograms for reports."""
+"""Bars, histograms and curves for reports."""
 
 import math
 from collections.abc import Sequence
@@ -8,7 +8,7 @@ from typing import Optional
 import numpy as np
 
 from .html import Markup, element, join, number
-from .svg import COLOURS, LETTER, LINE, WIDTH, drawing, round_step, text
+from .svg import COLOURS, LETTER, LINE, WIDTH, drawing, round_step, stroke, text
 
 
 def bar_chart(
@@ -100,6 +100,48 @@ def histogram(values: Sequence[float], unit: str, bins: int = 30, limits: Sequen
         element("path", d=lines, class_="limit"),
         *(text(across(tick), axes.bottom + 15, _tick(tick, step)) for tick in ticks),
         text((axes.left + axes.right) / 2, axes.bottom + 31, unit),
+    )
+
+
+def curve_chart(
+    series: dict, across: str, upwards: str, limits: Sequence[float] = (), height: float = 230.0
+) -> Markup:
+    """Return curves over one axis.
+
+    Parameters
+    ----------
+    series : dict of str to (sequence of float, sequence of float)
+        Values across, from 0, and upwards, by what the legend calls them.
+    across, upwards : str
+        Names and units of the axes.
+    limits : sequence of float
+        Values across that are marked by lines.
+    height : float
+        Pixels.
+    """
+    end = max(float(np.max(values)) for values, _ in series.values())
+    highest = max(float(np.max(values)) for _, values in series.values())
+    axes = _Axes.spanning(0.0, highest, 26.0, height, upwards)
+
+    def at(value: float) -> float:
+        return axes.left + (axes.right - axes.left) * min(value / end, 1.0)
+
+    curves = (
+        "M" + "L".join(f"{at(x):.1f} {axes.at(y):.1f}" for x, y in zip(*values)) for values in series.values()
+    )
+    lines = "".join(f"M{at(limit):.1f} {axes.top:.1f}V{axes.bottom:.1f}" for limit in limits if limit <= end)
+    step = round_step(end / 5)
+    return drawing(
+        axes.bottom + 38,
+        axes.frame(),
+        element("path", d=lines, class_="limit"),
+        *(stroke(curve, colour, 2.0) for curve, colour in zip(curves, COLOURS)),
+        *(
+            text(at(tick), axes.bottom + 15, _tick(tick, step))
+            for tick in step * np.arange(math.floor(end / step + 1e-9) + 1)
+        ),
+        text((axes.left + axes.right) / 2, axes.bottom + 31, across),
+        _legend(series),
     )
 
 

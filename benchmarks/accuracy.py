@@ -35,7 +35,8 @@ def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str
     for chain, parameters in CHAINS.items():
         outputs = run_chain([cloud], folder, f"{name}_{chain.replace('=', '')}", parameters)
         walls = unary_union([wall.outline for wall in outputs.plan.walls])
-        found = [compare_plan(walls, scene.truth, t, scan.seen_boundary) for t in TOLERANCES]
+        agreement = compare_plan(walls, scene.truth, TOLERANCES[-1], scan.seen_boundary)
+        found = [agreement.at(tolerance) for tolerance in TOLERANCES]
         draw(outputs.density, outputs.walls, outputs.walls.with_suffix(".png"), scene.truth)
         shares = " | ".join(f"{a.completeness:.2f} / {a.correctness:.2f}" for a in found)
         offset = f"{found[-1].median_offset * 100:.1f} / {found[-1].p95_offset * 100:.1f}"

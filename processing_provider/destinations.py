@@ -118,6 +118,13 @@ class PolygonDestination(VectorDestination):
 
 
 @dataclass(frozen=True)
+class LineDestination(VectorDestination):
+    """A GeoPackage or shapefile of lines."""
+
+    geometry = QgsProcessing.SourceType.TypeVectorLine
+
+
+@dataclass(frozen=True)
 class PointDestination(VectorDestination):
     """A GeoPackage or shapefile of points."""
 

@@ -7,6 +7,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import ICON
 from .compare_lengths import CompareLengthsAlgorithm
+from .compare_plan import ComparePlanAlgorithm
 from .density_image import DensityImageAlgorithm
 from .extract_walls import ExtractWallsAlgorithm
 from .facade_details import FacadeDetailsAlgorithm
@@ -50,6 +51,7 @@ class Provider(QgsProcessingProvider):
             SitePlanAlgorithm,
             DensityImageAlgorithm,
             ExtractWallsAlgorithm,
+            ComparePlanAlgorithm,
             ThinCloudAlgorithm,
             TransformCloudAlgorithm,
             RegisterScansAlgorithm,

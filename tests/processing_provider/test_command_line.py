@@ -52,6 +52,17 @@ def test_a_repeated_input_is_one_site(command, room, tmp_path):
     assert "Reading b.laz" in done.stdout
 
 
+def test_a_plan_is_compared_with_a_reference(command, room, tmp_path):
+    assert command("run", "ichnograph:siteplan", "--", f"INPUT={room}", "WALLS=walls.gpkg").returncode == 0
+    done = command(
+        "run", "ichnograph:compareplan", "--", "WALLS=walls.gpkg", "REFERENCE=walls.gpkg", "ERRORS=e.shp"
+    )
+
+    assert done.returncode == 0
+    assert "COMPLETENESS:\t1" in done.stdout
+    assert (tmp_path / "e.qml").exists()
+
+
 def test_an_error_is_a_sentence_and_exit_code_1(command, tmp_path):
     (tmp_path / "walls.shp").write_text("older")
     (tmp_path / "empty.laz").touch()

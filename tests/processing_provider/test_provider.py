@@ -32,7 +32,7 @@ FACADE = {
     "ALPHA": None,
 }
 PLANES = {"MIN_POINTS": None, "MAX_PLANES": 10}
-OWN_DEFAULTS = {"facadedetails": {"PIXEL_SIZE": None}}
+OWN_DEFAULTS = {"facadedetails": {"PIXEL_SIZE": None}, "compareplan": {"TOLERANCE": 0.10}}
 DEFAULTS = {
     **NUMBERS,
     **SIMULATION,
@@ -74,6 +74,10 @@ CONTRACT = {
     "comparelengths": (
         {"SCHEDULE", "REFERENCE", "TABLE", "REPORT"},
         {"TABLE", "REPORT", "MEAN_DIFFERENCE", "STD_DIFFERENCE", "MAX_DIFFERENCE", "COUNT"},
+    ),
+    "compareplan": (
+        {"WALLS", "REFERENCE", "TOLERANCE", "ERRORS", "REPORT"},
+        {"ERRORS", "REPORT", "COMPLETENESS", "CORRECTNESS", "IOU", "MEDIAN_OFFSET", "P95_OFFSET"},
     ),
     "densityimage": (
         {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY"},

@@ -1,35 +1,95 @@
 """Agreement of a plan with its reference."""
 
+import fiona
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from shapely.affinity import translate
-from shapely.geometry import MultiPolygon, Polygon, box
+from ichnograph.algorithms.evaluation.plan_layer import write_errors
+from ichnograph.algorithms.evaluation.plan_report import write_plan_report
+from rasterio.crs import CRS
+from shapely.affinity import rotate, scale, translate
+from shapely.geometry import MultiPolygon, Point, Polygon, box, shape
 
 WALL = box(0, 0, 10, 0.5)
+ROOM = box(0, 0, 8, 6).difference(box(0.4, 0.3, 7.5, 5.6)).difference(box(3, -1, 4, 1))
+TOWER = Point(0, 0).buffer(3, 64).difference(Point(0, 0).buffer(2.4, 64))
+
+shapes = st.sampled_from([WALL, ROOM, TOWER])
+angles = st.integers(0, 359)
+shifts = st.tuples(*[st.integers(-(10**6), 10**6)] * 2)
+settled = settings(max_examples=20, deadline=None)
 
 
-def test_a_perfect_plan():
-    agreement = compare_plan(WALL, WALL, 0.05, WALL.boundary)
-    assert (agreement.completeness, agreement.correctness, agreement.iou) == pytest.approx((1, 1, 1))
-    assert agreement.p95_offset == pytest.approx(0, abs=1e-9)
+def numbers(agreement):
+    return (
+        agreement.completeness,
+        agreement.correctness,
+        agreement.iou,
+        agreement.median_offset,
+        agreement.p95_offset,
+    )
 
 
-def test_a_shift_shows_as_offset():
-    agreement = compare_plan(translate(WALL, 0, 0.03), WALL, 0.05, WALL.boundary)
+@settled
+@given(shapes, angles, shifts)
+def test_a_plan_agrees_with_itself_wherever_it_lies(outline, angle, shift):
+    moved = translate(rotate(outline, angle), *shift)
+    assert numbers(compare_plan(moved, moved, 0.05)) == pytest.approx((1, 1, 1, 0, 0), abs=1e-6)
+
+
+@settled
+@given(shapes, angles, shifts, st.integers(1, 45))
+def test_turning_and_shifting_both_changes_nothing(outline, angle, shift, millimetres):
+    plan = translate(outline, millimetres / 1000, 0.02)
+    moved = [translate(rotate(part, angle, (0, 0)), *shift) for part in (plan, outline)]
+    here, there = compare_plan(plan, outline, 0.05), compare_plan(*moved, 0.05)
+    # A piece whose offset is the tolerance may fall on either side of it.
+    assert numbers(there) == pytest.approx(numbers(here), abs=0.01)
+
+
+@settled
+@given(shapes, st.integers(0, 40), angles)
+def test_what_is_wider_all_around_is_off_by_as_much(outline, millimetres, angle):
+    reference = rotate(outline, angle)
+    agreement = compare_plan(reference.buffer(millimetres / 1000, join_style=2), reference, 0.05)
+    assert agreement.median_offset == pytest.approx(millimetres / 1000, abs=1e-4)
+    assert (agreement.completeness, agreement.correctness) == pytest.approx((1, 1))
+
+
+@settled
+@given(shapes, st.integers(2, 9))
+def test_in_other_units_all_is_as_many_times_larger(outline, factor):
+    plan = translate(outline, 0.02, 0.03)
+    one = compare_plan(plan, outline, 0.05)
+    large = [scale(part, factor, factor, origin=(0, 0)) for part in (plan, outline)]
+    other = compare_plan(*large, 0.05 * factor)
+    assert numbers(other)[:3] == pytest.approx(numbers(one)[:3], abs=0.02)
+    assert other.median_offset == pytest.approx(factor * one.median_offset, abs=0.002 * factor)
+
+
+def test_a_shift_along_the_normal_shows_as_offset():
+    agreement = compare_plan(translate(WALL, 0, 0.03), WALL, 0.05)
     assert agreement.completeness == pytest.approx(1.0)
-    assert agreement.median_offset == pytest.approx(0.03, abs=0.002)
+    assert agreement.median_offset == pytest.approx(0.03, abs=1e-9)
     assert agreement.iou == pytest.approx(0.47 / 0.53, abs=1e-6)
 
 
+def test_completeness_of_one_is_correctness_of_the_other():
+    one, other = compare_plan(ROOM, WALL, 0.1), compare_plan(WALL, ROOM, 0.1)
+    assert (one.completeness, one.correctness) == (other.correctness, other.completeness)
+
+
 def test_half_of_the_wall_is_half_complete_and_correct():
-    agreement = compare_plan(box(0, 0, 5, 0.5), WALL, 0.05, WALL.boundary)
-    assert agreement.completeness == pytest.approx(0.5, abs=0.03)
-    assert agreement.correctness == pytest.approx(10.5 / 11, abs=0.02)
+    agreement = compare_plan(box(0, 0, 5, 0.5), WALL, 0.05)
+    assert agreement.completeness == pytest.approx(10.5 / 21 + 0.1 / 21, abs=0.003)
+    assert agreement.correctness == pytest.approx(10.6 / 11, abs=0.003)
 
 
 def test_an_invented_wall_costs_correctness_only():
     plan = MultiPolygon([WALL, box(0, 5, 10, 5.5)])
-    agreement = compare_plan(plan, WALL, 0.05, WALL.boundary)
+    agreement = compare_plan(plan, WALL, 0.05)
     assert agreement.completeness == pytest.approx(1.0)
     assert agreement.correctness == pytest.approx(0.5, abs=0.01)
 
@@ -40,6 +100,72 @@ def test_a_part_that_was_never_seen_is_not_asked_for():
     assert compare_plan(half, WALL, 0.05, seen).completeness == pytest.approx(1.0)
 
 
-def test_an_empty_plan_finds_nothing():
-    agreement = compare_plan(Polygon(), WALL, 0.05, WALL.boundary)
+def test_an_empty_plan_finds_nothing_and_its_offsets_are_unknown():
+    agreement = compare_plan(Polygon(), WALL, 0.05)
     assert (agreement.completeness, agreement.correctness, agreement.iou) == (0, 0, 0)
+    assert np.isnan([agreement.median_offset, agreement.p95_offset]).all()
+
+
+def test_faces_surveyed_as_lines_have_no_area_to_compare():
+    agreement = compare_plan(WALL, WALL.boundary, 0.05)
+    assert (agreement.completeness, agreement.correctness, agreement.median_offset) == (1, 1, 0)
+    assert np.isnan(agreement.iou)
+
+
+def test_another_tolerance_needs_no_other_comparison():
+    agreement = compare_plan(translate(WALL, 0, 0.03), WALL, 0.05)
+    assert numbers(agreement.at(0.02)) == numbers(compare_plan(translate(WALL, 0, 0.03), WALL, 0.02))
+
+
+def test_the_stretches_are_both_boundaries_and_say_where_they_differ():
+    plan = MultiPolygon([translate(box(0, 0, 4, 0.5), 0, 0.01), box(20, 0, 21, 1)])
+    stretches = list(compare_plan(plan, WALL, 0.1).stretches())
+    for side, outline in (("plan", plan), ("reference", WALL)):
+        assert sum(s.line.length for s in stretches if s.side == side) == pytest.approx(outline.length)
+    wrong = [s for s in stretches if s.state == "wrong" and s.line.distance(Point(20, 0)) < 2]
+    assert sum(s.line.length for s in wrong) == pytest.approx(4)
+    missing = [s for s in stretches if s.state == "missing"]
+    assert sum(s.line.length for s in missing) == pytest.approx(12.3, abs=0.1)
+    assert max(s.max_offset for s in missing) == pytest.approx(6, abs=0.05)
+    agreeing = max(
+        (s for s in stretches if s.side == "plan" and s.state == "agrees"), key=lambda s: s.line.length
+    )
+    assert agreeing.offset == pytest.approx(0.01)
+
+
+@pytest.mark.parametrize("name", ["errors.gpkg", "errors.shp"])
+def test_the_layer_holds_every_stretch(tmp_path, name):
+    agreement = compare_plan(box(0, 0, 5, 0.5), WALL, 0.05)
+    write_errors(tmp_path / name, agreement, CRS.from_epsg(25833))
+    with fiona.open(tmp_path / name) as layer:
+        rows = [(shape(item["geometry"]), item["properties"]) for item in layer]
+        assert CRS.from_wkt(layer.crs_wkt) == CRS.from_epsg(25833)
+    assert len(rows) == len(list(agreement.stretches()))
+    assert {row["state"] for _, row in rows} == {"agrees", "wrong", "missing"}
+    for line, row in rows:
+        assert row["length"] == pytest.approx(line.length, abs=1e-3)
+        assert (row["state"] == "agrees") == (row["max_offset"] <= 0.05)
+
+
+def test_offsets_from_nothing_are_null(tmp_path):
+    write_errors(tmp_path / "errors.gpkg", compare_plan(Polygon(), WALL, 0.05), None)
+    with fiona.open(tmp_path / "errors.gpkg") as layer:
+        assert [dict(item["properties"]) for item in layer] == [
+            {"side": "reference", "state": "missing", "offset": None, "max_offset": None, "length": 21.0}
+        ]
+
+
+def test_the_report_tells_the_numbers_and_the_longest_errors(tmp_path):
+    agreement = compare_plan(box(0, 0, 5, 0.5), WALL, 0.05)
+    write_plan_report(tmp_path / "report.html", agreement, ["A <doubt>."])
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert f"{agreement.completeness:.1%} of the reference is in the plan" in page
+    assert "A &lt;doubt&gt;." in page
+    assert page.count("<svg") == 2
+    assert ">missing<" in page and ">wrong<" in page
+    assert "http" not in page
+
+
+def test_the_report_of_a_perfect_plan_has_no_errors(tmp_path):
+    write_plan_report(tmp_path / "report.html", compare_plan(WALL, WALL, 0.05))
+    assert "There are none." in (tmp_path / "report.html").read_text(encoding="utf-8")
