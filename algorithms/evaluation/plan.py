@@ -6,9 +6,11 @@ from typing import Optional
 
 import numpy as np
 from scipy.spatial import cKDTree
-from shapely.geometry import LineString
+from shapely.geometry import LineString, Point
 from shapely.geometry.base import BaseGeometry
+from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
+from shapely.prepared import prep
 
 STEP = 0.02
 """Longest piece of a boundary that is measured as one, metres."""
@@ -18,6 +20,9 @@ NEIGHBOURS = 8
 
 CLASSES = (0.25, 0.5, 1.0)
 """Classes of offsets end at these shares of the tolerance."""
+
+THICKEST = 2.0
+"""No wall is thicker, metres."""
 
 AGREES, WRONG, MISSING = "agrees", "wrong", "missing"
 """States of a boundary: the two agree; the plan has what the reference lacks; the plan lacks it."""
@@ -30,7 +35,7 @@ class Boundary:
     Attributes
     ----------
     starts, ends : ndarray, shape (n, 2)
-        Of the pieces, in order along each line; metres.
+        Of the pieces, in order along each line, polygons on their left; metres.
     line : ndarray of int, shape (n,)
         Which line of the boundary a piece belongs to.
     offsets : ndarray, shape (n,)
@@ -95,7 +100,7 @@ class PlanAgreement:
     iou : float
         Intersection over union of the areas; nan if the reference has no area.
     plan, reference : Boundary
-        Of the reference, the part that was asked for.
+        Of the reference, the part that was asked for; of the plan, what can be judged by it.
     """
 
     tolerance: float
@@ -158,10 +163,15 @@ def compare_plan(
         Metres.
     seen : shapely LineString or MultiLineString, optional
         The part of the reference's boundary that can be asked of the plan, as the scanner saw it; the
-        whole boundary if not given.
+        whole boundary if not given. Where a plan leaves off inside a wall, before a face that was not
+        seen, it is neither right nor wrong.
     """
     plan, truth = _pieces(walls), _pieces(reference)
-    asked = truth if seen is None else _pieces(seen)
+    asked = truth
+    if seen is not None:
+        asked = _pieces(seen)
+        judged = ~_backs(plan, reference, seen)
+        plan = tuple(array[judged] for array in plan)
     return PlanAgreement(
         tolerance,
         _intersection_over_union(walls, reference),
@@ -172,10 +182,7 @@ def compare_plan(
 
 def _pieces(shape: BaseGeometry) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Cut the boundary of polygons, or lines, into pieces of `STEP` at most: starts, ends, line numbers."""
-    lines = shape.boundary if shape.area else shape
-    corners = [
-        np.asarray(line.coords)[:, :2] for line in getattr(lines, "geoms", [lines]) if not line.is_empty
-    ]
+    corners = [np.asarray(line.coords)[:, :2] for line in _lines(shape) if not line.is_empty]
     if not corners:
         return np.empty((0, 2)), np.empty((0, 2)), np.empty(0, dtype=int)
     starts = np.concatenate([line[:-1] for line in corners])
@@ -187,6 +194,30 @@ def _pieces(shape: BaseGeometry) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         np.repeat(array, count, axis=0) for array in (starts, along, number, count)
     )
     return starts + along * (place / count)[:, None], starts + along * ((place + 1) / count)[:, None], number
+
+
+def _lines(shape: BaseGeometry) -> Iterator[BaseGeometry]:
+    for part in getattr(shape, "geoms", [shape]):
+        if part.area:
+            polygon = orient(part)
+            yield from (polygon.exterior, *polygon.interiors)
+        else:
+            yield part
+
+
+def _backs(plan: tuple, reference: BaseGeometry, seen: BaseGeometry) -> np.ndarray:
+    """Tell which pieces of a plan lie in a wall, with only a face before them that was not seen."""
+    starts, ends, _ = plan
+    middles, along = (starts + ends) / 2, ends - starts
+    outwards = np.column_stack([along[:, 1], -along[:, 0]]) / np.hypot(*along.T)[:, None]
+    wall, boundary = prep(reference), reference.boundary
+    backs = np.zeros(len(middles), dtype=bool)
+    for number, (middle, outward) in enumerate(zip(middles, outwards)):
+        if wall.contains(Point(middle)):
+            before = LineString([middle, middle + THICKEST * outward]).intersection(boundary)
+            nearest = min(getattr(before, "geoms", [before]), key=Point(middle).distance, default=before)
+            backs[number] = not nearest.is_empty and seen.distance(nearest) > STEP
+    return backs
 
 
 def _distances(asked: tuple, given: tuple) -> np.ndarray:

@@ -100,6 +100,15 @@ def test_a_part_that_was_never_seen_is_not_asked_for():
     assert compare_plan(half, WALL, 0.05, seen).completeness == pytest.approx(1.0)
 
 
+def test_the_back_of_a_wall_whose_other_face_was_not_seen_is_not_judged():
+    seen = WALL.boundary.intersection(box(-1, -1, 11, 0.05))
+    thin = box(0, 0, 10, 0.2)
+    assert compare_plan(thin, WALL, 0.05, seen).correctness == pytest.approx(1.0)
+    assert compare_plan(thin, WALL, 0.05, WALL.boundary).correctness == pytest.approx(0.5, abs=0.02)
+    thick = box(0, 0, 10, 0.8)
+    assert compare_plan(thick, WALL, 0.05, seen).correctness == pytest.approx(0.5, abs=0.03)
+
+
 def test_an_empty_plan_finds_nothing_and_its_offsets_are_unknown():
     agreement = compare_plan(Polygon(), WALL, 0.05)
     assert (agreement.completeness, agreement.correctness, agreement.iou) == (0, 0, 0)
