@@ -133,6 +133,41 @@ def test_the_ground_slopes_undulates_and_is_rough():
     assert np.abs(residual).max() < 0.03
 
 
+def test_rough_masonry_is_smooth_over_centimetres_about_its_mean_face():
+    scene = scene_of(Prism(box(5, -20, 6, 20), top=3.0, relief=0.02))
+    points = scene.scan(0.25, range_noise=0.0).points
+    face = points[(np.abs(points[:, 1]) < 8) & (points[:, 2] > 0.3) & (points[:, 2] < 2.9)]
+    assert face[:, 0].mean() == pytest.approx(5.0, abs=0.005)
+    assert face[:, 0].std() == pytest.approx(0.02, rel=0.3)
+    frontal = face[np.abs(face[:, 1]) < 1]
+    apart = np.linalg.norm(frontal[:, None, 1:] - frontal[None, :, 1:], axis=2)
+    steps = np.abs(frontal[:, None, 0] - frontal[None, :, 0])
+    assert steps[(apart < 0.03)].max() < 0.03
+
+
+def test_a_leaning_wall_is_where_its_footprint_says_at_the_height_of_the_plan():
+    scene = scene_of(Prism(box(5, -20, 6, 20), top=3.0, lean=(0.02, 0.0)))
+    x, y, z = scene.scan(0.5, range_noise=0.0).points.T
+    face = (np.abs(y) < 5) & (z > 0.1) & (z < 2.9)
+    np.testing.assert_allclose(x[face], 5 + 0.02 * (z[face] - 1.3), atol=1e-9)
+
+
+def test_what_stands_on_the_terrace_is_higher():
+    walls = Prism(box(-1, 5, 1, 6), top=2.0), Prism(box(-1, -6, 1, -5), top=2.0)
+    points = scene_of(*walls, ground=Ground(terrace=0.9, terrace_from=3.0)).scan(0.5, 0.0).points
+    assert points[points[:, 1] > 5, 2].max() == pytest.approx(2.9, abs=0.05)
+    assert points[points[:, 1] < -5, 2].max() == pytest.approx(2.0, abs=0.05)
+    assert points[(points[:, 1] > 3.5) & (points[:, 1] < 4.9), 2].mean() == pytest.approx(0.9, abs=0.01)
+
+
+def test_stations_may_be_left_out_and_the_others_return_the_same(scene):
+    whole, part = scene.scan(4.0), scene.scan(4.0, without=(0, 2))
+    kept = ~np.isin(whole.station, (0, 2))
+    np.testing.assert_array_equal(part.points, whole.points[kept])
+    np.testing.assert_array_equal(part.station, whole.station[kept])
+    assert part.seen_boundary.length < whole.seen_boundary.length
+
+
 def test_nothing_returns_from_beyond_the_range_unless_reflected(scene):
     scan = scene.scan(COARSE, range_noise=0.0)
     reach = np.linalg.norm(scan.points - scene.stations[scan.station], axis=1)

@@ -5,8 +5,9 @@ from .interior import interior
 from .rooms import rooms
 from .ruins import ruins
 from .scene import Scan, Scene
+from .terraces import terraces
 from .yard import yard
 
-SCENES = {scene.__name__: scene for scene in (interior, yard, ruins, rooms, columns)}
+SCENES = {scene.__name__: scene for scene in (interior, yard, ruins, rooms, columns, terraces)}
 
 __all__ = ["SCENES", "Scan", "Scene"]

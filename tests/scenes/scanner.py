@@ -6,15 +6,29 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from .things import GROUND_REFLECTANCE, PLANT_REFLECTANCE, REFLECTANCE, Ground, Plant, Prism
+from .things import (
+    GROUND_REFLECTANCE,
+    PLAN_HEIGHT,
+    PLANT_REFLECTANCE,
+    REFLECTANCE,
+    Ground,
+    Plant,
+    Prism,
+)
 
 PIECE_LENGTH = 0.1
 GHOST_RANGE = 500.0
+SHORTEST_WAVE, LONGEST_WAVE = 0.25, 1.0
+"""Of the relief of masonry, metres."""
+WAVES = 24
 NOTHING, GROUND, SIDE, LEVEL, FOLIAGE = range(5)
 
 
 class Bodies(NamedTuple):
-    """Prisms as flat arrays; the edges of a prism, and the pieces of an edge, follow each other."""
+    """Prisms as flat arrays; the edges of a prism, and the pieces of an edge, follow each other.
+
+    `waves`, (k, 4), are wave vectors and phases, whose sum is the relief of all masonry.
+    """
 
     edges: np.ndarray
     edge_prism: np.ndarray
@@ -24,6 +38,9 @@ class Bodies(NamedTuple):
     top: np.ndarray
     follows_ground: np.ndarray
     reflectance: np.ndarray
+    relief: np.ndarray
+    lean: np.ndarray
+    waves: np.ndarray
 
 
 class Surroundings(NamedTuple):
@@ -61,7 +78,19 @@ def flatten(prisms: Sequence[Prism]) -> Bodies:
         np.array([prism.top for prism in prisms], dtype=np.float64),
         np.array([prism.follows_ground for prism in prisms]),
         np.array([REFLECTANCE[prism.material] for prism in prisms]),
+        np.array([prism.relief for prism in prisms], dtype=np.float64),
+        np.array([prism.lean for prism in prisms], dtype=np.float64),
+        _waves(),
     )
+
+
+def _waves() -> np.ndarray:
+    """Return waves of random directions, lengths and phases, the same for every scene."""
+    random = np.random.default_rng(0)
+    directions = random.normal(size=(WAVES, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    lengths = random.uniform(SHORTEST_WAVE, LONGEST_WAVE, (WAVES, 1))
+    return np.hstack([2 * np.pi * directions / lengths, random.uniform(0, 2 * np.pi, (WAVES, 1))])
 
 
 def surround(ground: Ground, plants: Sequence[Plant]) -> Surroundings:
@@ -105,15 +134,16 @@ def _crossings(origin, east, north, bodies, prism, crossings):
 def _spans(origin, east, north, bodies, crossings, spans, entries):
     """Cut the prisms with the vertical plane of a column of rays, return the number of spans.
 
-    `spans` takes (near, far, cosine of incidence), `entries` (prism, piece of the edge where
-    the span begins, or -1 when the scanner stands within the footprint).
+    `spans` takes (near, far, cosine of incidence, normal of the face: east, north), `entries` (prism,
+    piece of the edge where the span begins, or -1 when the scanner stands within the footprint).
     """
     count = 0
     for prism in range(bodies.top.size):
         found = _crossings(origin, east, north, bodies, prism, crossings)
         for crossing in range(0, found, 2):
             span, entry = spans[count], entries[count]
-            span[0], span[1], span[2] = crossings[crossing, 0], crossings[crossing + 1, 0], 0.0
+            span[0], span[1] = crossings[crossing, 0], crossings[crossing + 1, 0]
+            span[2:] = 0.0
             entry[0], entry[1] = prism, -1
             edge = int(crossings[crossing, 1])
             if edge >= 0:
@@ -122,7 +152,9 @@ def _spans(origin, east, north, bodies, crossings, spans, entries):
                 entry[1] = min(piece, after - 1)
                 dx = bodies.edges[edge, 2] - bodies.edges[edge, 0]
                 dy = bodies.edges[edge, 3] - bodies.edges[edge, 1]
-                span[2] = abs(east * dy - north * dx) / np.hypot(dx, dy)
+                length = np.hypot(dx, dy)
+                span[2] = abs(east * dy - north * dx) / length
+                span[3], span[4] = dy / length, -dx / length
             count += 1
     return count
 
@@ -195,6 +227,20 @@ def _meet_plants(origin, east, north, climbs, plants, column):
 
 
 @njit(cache=True, nogil=True)
+def _deform(point, slope_x, slope_y, bodies, prism, span, is_side):
+    """Move a point of a leaning or rough prism, on which it was cast as if it were neither."""
+    relief, lean = bodies.relief[prism], bodies.lean[prism]
+    bulge = 0.0
+    if is_side and relief > 0:
+        for wave in bodies.waves:
+            bulge += np.sin(wave[0] * point[0] + wave[1] * point[1] + wave[2] * point[2] + wave[3])
+        bulge *= relief * np.sqrt(2.0 / len(bodies.waves))
+    above = point[2] - slope_x * point[0] - slope_y * point[1] - PLAN_HEIGHT
+    point[0] += lean[0] * above + bulge * span[3]
+    point[1] += lean[1] * above + bulge * span[4]
+
+
+@njit(cache=True, nogil=True)
 def panorama(origin, azimuths, elevations, bodies, surroundings, optics, seed):
     """Scan all around from one station.
 
@@ -221,7 +267,7 @@ def panorama(origin, azimuths, elevations, bodies, surroundings, optics, seed):
     hits = np.zeros(bodies.first_piece[-1], dtype=np.int64)
     # A scanner within a footprint adds a crossing to those of the edges.
     crossings = np.empty((len(bodies.edges) + 1, 3))
-    spans = np.empty((len(bodies.edges), 3))
+    spans = np.empty((len(bodies.edges), 5))
     entries = np.empty((len(bodies.edges), 2), dtype=np.int64)
     levels, climbs = np.cos(elevations), np.tan(elevations)
     column = np.empty((elevations.size, 3))
@@ -257,6 +303,8 @@ def panorama(origin, azimuths, elevations, bodies, surroundings, optics, seed):
             points[count, 2] = origin[2] + reach * level * climb
             if kind == GROUND:
                 points[count, 2] += roughness * np.random.normal()
+            elif kind != FOLIAGE:
+                _deform(points[count], slope_x, slope_y, bodies, entries[span, 0], spans[span], kind == SIDE)
             intensity[count] = int(65535 * min(brightness, 1.0))
             count += 1
     return points[:count].copy(), intensity[:count].copy(), hits

@@ -1,5 +1,6 @@
 """A scene and its scans. All is simulated in the scene's own frame and moved at the end."""
 
+from collections.abc import Container
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -113,8 +114,14 @@ class Scene:
         """Return the scene turned anticlockwise about the world's z axis, then shifted (m)."""
         return replace(self, pose=self.pose.then(Pose(angle_degrees, tuple(shift_xyz))))
 
-    def scan(self, angular_step: float = 0.1, range_noise: float = 0.003, seed: int = 0) -> Scan:
-        """Scan the scene from all its stations.
+    def scan(
+        self,
+        angular_step: float = 0.1,
+        range_noise: float = 0.003,
+        seed: int = 0,
+        without: Container[int] = (),
+    ) -> Scan:
+        """Scan the scene from its stations.
 
         Parameters
         ----------
@@ -124,6 +131,8 @@ class Scene:
             Standard deviation along the ray (m).
         seed : int
             Of noise, foliage and the first azimuth of each station.
+        without : container of int
+            Rows of `stations` that are left out; the others return the same points as with them.
         """
         step = np.radians(angular_step)
         azimuths = step * np.arange(round(360 / angular_step))
@@ -134,6 +143,7 @@ class Scene:
         random = np.random.default_rng(seed)
         starts = random.uniform(0, step, len(self.scanners))
         seeds = random.integers(2**32, size=len(self.scanners))
+        kept = [row for row in range(len(self.scanners)) if row not in without]
 
         def scan_from(scanner, start, ray_seed):
             returned, intensity, hits = panorama(
@@ -142,12 +152,12 @@ class Scene:
             return self.pose.points(self._lifted(returned)), intensity, hits
 
         with ThreadPoolExecutor() as pool:
-            blocks = list(pool.map(scan_from, self.scanners, starts, seeds))
+            blocks = list(pool.map(scan_from, self.scanners[kept], starts[kept], seeds[kept]))
         points, intensity, hits = zip(*blocks)
         walls = np.array([is_wall(prism, self.ground) for prism in self.prisms])
         return Scan(
             np.concatenate(points),
-            np.repeat(np.arange(len(points)), [len(block) for block in points]),
+            np.repeat(kept, [len(block) for block in points]),
             np.concatenate(intensity),
             self.pose.geometry(seen_boundary(self._local_truth, walls, bodies, sum(hits))),
         )
@@ -157,7 +167,7 @@ class Scene:
         return dissolved([prism.footprint for prism in self.prisms if is_wall(prism, self.ground)])
 
     def _lifted(self, points: np.ndarray) -> np.ndarray:
-        if not self.ground.undulation:
+        if self.ground.is_plane:
             return points
         lift = self.ground.lift(points[:, 0], points[:, 1])
         return points + np.column_stack([np.zeros((len(points), 2)), lift])

@@ -130,6 +130,11 @@ def tree(random: np.random.Generator, ground: Ground, x: float, y: float):
     return trunk, crown
 
 
+def person(ground: Ground, x: float, y: float) -> Prism:
+    """Return somebody who stands still while all stations scan."""
+    return standing(disc(x, y, 0.22, 16), 1.72, ground, "person")
+
+
 def rubble(random: np.random.Generator, ground: Ground, x: float, y: float) -> Prism:
     """Return a fallen block of irregular outline."""
     corners = random.uniform(-0.4, 0.4, (7, 2)) * random.uniform(0.4, 1.0)

@@ -12,7 +12,10 @@ REFLECTANCE = {
     "furniture": 0.45,
     "rubble": 0.6,
     "trunk": 0.3,
+    "person": 0.35,
 }
+PLAN_HEIGHT = 1.3
+"""Above the ground, where the footprint of a leaning prism is true (m)."""
 GROUND_REFLECTANCE = 0.4
 PLANT_REFLECTANCE = 0.5
 
@@ -34,6 +37,9 @@ class Ground:
         Of the undulation (m).
     roughness : float
         Standard deviation of a ground point's height (m).
+    terrace, terrace_from : float
+        What stands north of y = `terrace_from` is `terrace` higher (m). As with the undulation, rays are
+        cast as if it were not; a wall should stand there, and hide the step.
     """
 
     slope_x: float = 0.0
@@ -41,15 +47,23 @@ class Ground:
     undulation: float = 0.0
     wavelength: float = 15.0
     roughness: float = 0.005
+    terrace: float = 0.0
+    terrace_from: float = 0.0
+
+    @property
+    def is_plane(self) -> bool:
+        """Tell whether there is nothing to add to the plane."""
+        return not (self.undulation or self.terrace)
 
     def height(self, x, y):
         """Return the height of the plane."""
         return self.slope_x * x + self.slope_y * y
 
     def lift(self, x, y):
-        """Return what the undulation adds to the plane."""
+        """Return what undulation and terrace add to the plane."""
         turns = 2 * np.pi / self.wavelength
-        return self.undulation * np.sin(turns * (x + 0.3 * y)) * np.cos(turns * (y - 0.4 * x))
+        waves = self.undulation * np.sin(turns * (x + 0.3 * y)) * np.cos(turns * (y - 0.4 * x))
+        return waves + self.terrace * (y > self.terrace_from)
 
 
 @dataclass(frozen=True)
@@ -68,6 +82,12 @@ class Prism:
         A key of `REFLECTANCE`; only walls belong to the truth.
     follows_ground : bool
         Whether `top` and `bottom` are counted from the ground below, instead of level.
+    relief : float
+        Standard deviation of the masonry about its faces (m), smooth over some decimetres. The truth is
+        the mean face.
+    lean : (float, float)
+        How far the prism leans to the east and to the north, metres per metre of height. The footprint is
+        that at `PLAN_HEIGHT` above the ground, where plans are cut.
     """
 
     footprint: Polygon
@@ -75,6 +95,8 @@ class Prism:
     bottom: float = -np.inf
     material: str = "wall"
     follows_ground: bool = False
+    relief: float = 0.0
+    lean: tuple[float, float] = (0.0, 0.0)
 
     def rise(self, ground: Ground) -> float:
         """Return the height of the top above the ground at the middle of the footprint."""
