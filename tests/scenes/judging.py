@@ -1,0 +1,139 @@
+"""What of a plan the true walls can judge besides its boundary: thickness, rooms, and walls that are none."""
+
+from collections.abc import Iterator
+from typing import Optional
+
+import numpy as np
+from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry.base import BaseGeometry
+from shapely.geometry.polygon import orient
+
+THICKEST = 1.2
+"""Thicker places are no walls, but columns and corners, metres."""
+
+SECTIONS = 0.25
+"""Distance between places where the thickness is measured, metres."""
+
+NEAR = 0.01
+"""A place so near to what was seen was seen, metres."""
+
+OFF = 0.20
+"""What a face may be off, to be measured at all; what is farther from a true wall is none, metres."""
+
+DEPTH = 0.04
+"""No wall is so thin that a place so far behind its face is not in it, metres."""
+
+WIDEST_DOOR = 1.3
+"""A gap in a wall up to this width does not open a room, metres."""
+
+DOUBT, DOUBTFUL = 0.1, 0.05
+"""Rooms whose area differs by such a share if doors are so much (m) narrower or wider are not asked for."""
+
+SMALLEST_ROOM = 1.5
+"""Square metres."""
+
+SEEN_SHARE = 0.95
+"""Of the boundary of a room, for its area to be asked for."""
+
+
+def thickness_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) -> np.ndarray:
+    """Return how much too thick walls are, at sections across true walls whose two faces were seen.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Metres; sections where the plan lacks a face are left out, for completeness counts them.
+    """
+    errors = []
+    for place, inwards in _sections(truth):
+        true = _interval(place, inwards, truth)
+        if true is None or seen.distance(Point(place)) > NEAR:
+            continue
+        back = place + true[1] * inwards
+        if true[1] > THICKEST or seen.distance(Point(back)) > NEAR:
+            continue
+        found = _interval(place, inwards, walls)
+        if found and abs(found[0]) < OFF and abs(found[1] - true[1]) < OFF:
+            errors.append(found[1] - found[0] - true[1])
+    return np.array(errors)
+
+
+def room_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) -> list[float]:
+    """Return the error of the area of each true room that was seen all around, as a share of its area.
+
+    A room that the plan does not have counts 1.
+    """
+    found = closed_spaces(walls, WIDEST_DOOR)
+    others = [closed_spaces(truth, WIDEST_DOOR + change) for change in (-DOUBT, DOUBT)]
+    errors = []
+    for room in closed_spaces(truth, WIDEST_DOOR):
+        faces = room.boundary.intersection(truth.boundary.buffer(NEAR))
+        was_seen = faces.intersection(seen.buffer(NEAR)).length >= SEEN_SHARE * faces.length
+        if was_seen and all(_difference(room, spaces) < DOUBTFUL for spaces in others):
+            errors.append(_difference(room, found))
+    return errors
+
+
+def _difference(room: Polygon, spaces: list[Polygon]) -> float:
+    """Return how much the area of the space that is this room differs from it; 1 if none is."""
+    same = max(spaces, key=lambda space: room.intersection(space).area, default=Polygon())
+    if room.intersection(same).area <= 0.5 * max(room.area, same.area):
+        return 1.0
+    return abs(same.area - room.area) / room.area
+
+
+def closed_spaces(walls: BaseGeometry, widest_door: float) -> list[Polygon]:
+    """Return what walls enclose, once their gaps up to `widest_door` (m) are bridged.
+
+    Corners are rounded: GEOS loses rooms where it keeps them sharp.
+    """
+    narrowed = walls.buffer(widest_door / 2)
+    around = narrowed.envelope.buffer(1.0)
+    free = around.difference(narrowed)
+    # One by one, for rooms on both sides of a thin wall would meet in its doors.
+    spaces = [
+        part.buffer(widest_door / 2)
+        for part in getattr(free, "geoms", [free])
+        if not part.touches(around.boundary)
+    ]
+    return [space for space in spaces if space.area >= SMALLEST_ROOM]
+
+
+def phantom_length(walls: BaseGeometry, truth: BaseGeometry) -> float:
+    """Return the length of the longest piece of the plan that is farther than `OFF` from all true walls."""
+    phantoms = walls.difference(truth.buffer(OFF))
+    lengths = [_extent(part) for part in getattr(phantoms, "geoms", [phantoms]) if not part.is_empty]
+    return max(lengths, default=0.0)
+
+
+def _extent(shape: BaseGeometry) -> float:
+    """Return the longer side of the smallest rectangle around a shape."""
+    rectangle = shape.minimum_rotated_rectangle
+    corners = np.asarray(rectangle.exterior.coords if rectangle.geom_type == "Polygon" else rectangle.coords)
+    return float(np.hypot(*np.diff(corners, axis=0).T).max())
+
+
+def _sections(truth: BaseGeometry) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Yield places along the boundary, and the directions into the wall there."""
+    for part in truth.geoms:
+        polygon = orient(part)
+        for ring in (polygon.exterior, *polygon.interiors):
+            corners = np.asarray(ring.coords)
+            for start, end in zip(corners, corners[1:]):
+                length = np.hypot(*(end - start))
+                # A corner may be there twice.
+                along = (end - start) / max(length, 1e-9)
+                for way in np.arange(SECTIONS / 2, length, SECTIONS):
+                    yield start + way * along, np.array([-along[1], along[0]])
+
+
+def _interval(place: np.ndarray, inwards: np.ndarray, walls: BaseGeometry) -> Optional[tuple[float, float]]:
+    """Return from where to where a line across lies in the wall at `place`, metres from it; None if not."""
+    line = LineString([place - OFF * inwards, place + (THICKEST + OFF) * inwards])
+    parts = line.intersection(walls)
+    inner = Point(place + DEPTH * inwards)
+    for part in getattr(parts, "geoms", [parts]):
+        if part.length and part.distance(inner) < 1e-3:
+            ends = (np.asarray(part.coords) - place) @ inwards
+            return float(ends.min()), float(ends.max())
+    return None
