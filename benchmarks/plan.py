@@ -9,6 +9,7 @@ variant says. The columns are explained in docs/accuracy.md.
 import argparse
 import os
 import tempfile
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, fields
 from functools import partial
@@ -16,11 +17,13 @@ from itertools import product
 from pathlib import Path
 
 import numpy as np
+from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.evaluation.plan import compare_plan
 from ichnograph.algorithms.site_plan.extraction import WallParameters
 from ichnograph.tests.scenes import SCENES, Scan, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.judging import phantom_length, room_errors, thickness_errors
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
@@ -107,11 +110,16 @@ def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict:
     with tempfile.TemporaryDirectory() as folder:
         cloud = Path(folder) / "scan.laz"
         write_laz(cloud, scan, slice(None), "EPSG:25833")
-        plans = {chain: run([cloud], Path(folder)).plan for chain, run in CHAINS.items()}
-    return {
-        chain: quality(unary_union([wall.outline for wall in plan.walls]), scene, scan)
-        for chain, plan in plans.items()
-    }
+        plans = {chain: _walls(run, cloud) for chain, run in CHAINS.items()}
+    return {chain: quality(walls, scene, scan) for chain, walls in plans.items()}
+
+
+def _walls(run: Callable, cloud: Path) -> BaseGeometry:
+    try:
+        plan = run([cloud], cloud.parent).plan
+    except NothingFoundError:
+        return Polygon()
+    return unary_union([wall.outline for wall in plan.walls])
 
 
 def quality(walls: BaseGeometry, scene: Scene, scan: Scan) -> Quality:

@@ -82,11 +82,9 @@ class ComparePlanAlgorithm(Algorithm):
         doubts = disagreements(walls, reference, tolerance)
         log.warn(doubts)
         found = compare_plan(walls.shape, reference.shape, tolerance)
-        log.info(
-            f"Completeness {found.completeness:.3f}, correctness {found.correctness:.3f} at {tolerance:g} m; "
-            f"intersection over union {found.iou:.3f}; offset {found.median_offset:.4f} m in the median, "
-            f"{found.p95_offset:.4f} m at 95 %."
-        )
+        log.info(f"Completeness {found.completeness:.3f}, correctness {found.correctness:.3f}.")
+        if found.completeness:
+            log.info(f"Offset: median {found.median_offset:.4f} m, 95 % {found.p95_offset:.4f} m.")
         return Outcome(
             {
                 "ERRORS": partial(write_errors, agreement=found, crs=walls.crs or reference.crs),

@@ -81,7 +81,7 @@ def outlines_of(source: str, geometries: Iterable, wkt: str, path: Optional[str]
         lines += [part for part in parts if part.geom_type in ("LineString", "LinearRing") and part.length]
     if not polygons and not lines:
         raise InputError(f"{source} holds no outlines; choose a layer of polygons.")
-    warnings = (f"{repaired} outlines of {source} cross themselves and were repaired.",) if repaired else ()
+    warnings = (f"Outlines of {source} that cross themselves were repaired: {repaired}.",) if repaired else ()
     # Where a repair leaves lines, they are what is left of spikes.
     shape = _dissolved(polygons) if polygons else MultiLineString(lines)
     return Outlines(source, shape, crs, path, warnings)

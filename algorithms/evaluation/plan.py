@@ -167,15 +167,15 @@ def compare_plan(
         seen, it is neither right nor wrong.
     """
     plan, truth = _pieces(walls), _pieces(reference)
-    asked = truth
+    asked, judged = truth, plan
     if seen is not None:
         asked = _pieces(seen)
-        judged = ~_backs(plan, reference, seen)
-        plan = tuple(array[judged] for array in plan)
+        fronts = ~_backs(plan, reference, seen)
+        judged = tuple(array[fronts] for array in plan)
     return PlanAgreement(
         tolerance,
         _intersection_over_union(walls, reference),
-        Boundary(*plan, _distances(plan, truth)),
+        Boundary(*judged, _distances(judged, truth)),
         Boundary(*asked, _distances(asked, plan)),
     )
 

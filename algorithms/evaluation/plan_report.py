@@ -47,16 +47,17 @@ def write_plan_report(path: Path, agreement: PlanAgreement, doubts: Iterable = (
 
 def _summary(agreement: PlanAgreement) -> Markup:
     tolerance = _centimetres(agreement.tolerance)
-    overlap = number(agreement.iou, 3)
-    return bullets(
-        (
-            f"{agreement.completeness:.1%} of the reference is in the plan (completeness at {tolerance}).",
-            f"{agreement.correctness:.1%} of the plan is in the reference (correctness at {tolerance}).",
-            "Where the reference is in the plan, half of it is within "
-            f"{_centimetres(agreement.median_offset)}, 95 % within {_centimetres(agreement.p95_offset)}.",
-            f"Intersection over union of the areas: {overlap}.",
+    sentences = [
+        f"{agreement.completeness:.1%} of the reference is in the plan (completeness at {tolerance}).",
+        f"{agreement.correctness:.1%} of the plan is in the reference (correctness at {tolerance}).",
+    ]
+    if agreement.completeness:
+        median, most = _centimetres(agreement.median_offset), _centimetres(agreement.p95_offset)
+        sentences.append(
+            f"Where the reference is in the plan, half of it is within {median}, 95 % within {most}."
         )
-    )
+    sentences.append(f"Intersection over union of the areas: {number(agreement.iou, 3)}.")
+    return bullets(sentences)
 
 
 def _map(stretches: list[Stretch]) -> Markup:
@@ -92,7 +93,7 @@ def _offsets(agreement: PlanAgreement) -> tuple:
     ]
     distances = np.linspace(0, FARTHEST * agreement.tolerance, 121)
     curves = {
-        f"{name}": (100 * distances, [100 * boundary.share_within(distance) for distance in distances])
+        name: (100 * distances, [100 * boundary.share_within(distance) for distance in distances])
         for name, boundary in (("reference", agreement.reference), ("plan", agreement.plan))
     }
     chart = curve_chart(curves, "distance (cm)", "%", [100 * agreement.tolerance])

@@ -48,7 +48,7 @@ def test_it_measures_a_plan_and_says_where_it_is_off(run, layers, tmp_path, feed
     assert sum(line.length for line in missing) == pytest.approx(9, abs=0.01)
     assert {row["side"] for row, _ in rows if row["state"] == "agrees"} == {"plan", "reference"}
     assert "75.7% of the reference is in the plan" in report.read_text(encoding="utf-8")
-    assert any(info.startswith("Completeness 0.757, correctness 1.000 at 0.1 m") for info in feedback.infos)
+    assert "Completeness 0.757, correctness 1.000." in feedback.infos
     assert feedback.warnings == []
 
 

@@ -39,7 +39,7 @@ def test_features_without_geometry_are_passed_over():
 def test_an_outline_that_crosses_itself_is_repaired_and_told():
     found = outlines(Polygon([(0, 0), (2, 2), (2, 0), (0, 2)]))
     assert found.shape.area == pytest.approx(2, abs=0.01)
-    assert found.warnings == ("1 outlines of WALLS plan cross themselves and were repaired.",)
+    assert found.warnings == ("Outlines of WALLS plan that cross themselves were repaired: 1.",)
 
 
 def test_heights_are_dropped():
