@@ -137,3 +137,61 @@ def test_what_cannot_be_compared_is_refused(run, layers, write, tmp_path, change
     parameters = {**layers, "ERRORS": str(tmp_path / "errors.gpkg"), "REPORT": None, **change}
     with pytest.raises(QgsProcessingException, match=sentence):
         run("compareplan", **parameters)
+
+
+def test_the_walls_may_be_an_output_of_the_same_model(plugin, room, write, tmp_path):
+    import processing
+    from qgis.core import (
+        QgsProcessing,
+        QgsProcessingModelAlgorithm,
+        QgsProcessingModelChildAlgorithm,
+        QgsProcessingModelChildParameterSource,
+        QgsProcessingModelOutput,
+        QgsProcessingModelParameter,
+        QgsProcessingParameterMultipleLayers,
+        QgsProcessingParameterVectorLayer,
+    )
+
+    source, model = QgsProcessingModelChildParameterSource, QgsProcessingModelAlgorithm("judged", "judged")
+    files = QgsProcessing.SourceType.TypeFile
+    for parameter in (
+        QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", files),
+        QgsProcessingParameterVectorLayer("TRUE", "True walls"),
+    ):
+        model.addModelParameter(parameter, QgsProcessingModelParameter(parameter.name()))
+    report = QgsProcessingModelOutput("report", "report")
+    report.setChildOutputName("REPORT")
+    report.setChildId("compareplan")
+    given = {
+        "siteplan": {"INPUT": source.fromModelParameter("CLOUDS")},
+        "compareplan": {
+            "WALLS": source.fromChildOutput("siteplan", "WALLS"),
+            "REFERENCE": source.fromModelParameter("TRUE"),
+        },
+    }
+    for name, sources in given.items():
+        child = QgsProcessingModelChildAlgorithm(f"ichnograph:{name}")
+        child.setChildId(name)
+        for parameter, value in sources.items():
+            child.addParameterSources(parameter, [value])
+        child.setModelOutputs({"report": report} if name == "compareplan" else {})
+        model.addChildAlgorithm(child)
+    (destination,) = model.destinationParameterDefinitions()
+    true = write("true.gpkg", [box(X + 1, Y + 1, X + 7, Y + 5)])
+    page = tmp_path / "report.html"
+    processing.run(model, {"CLOUDS": [room], "TRUE": true, destination.name(): str(page)})
+
+    assert "of the reference is in the plan" in page.read_text(encoding="utf-8")
+
+
+def test_a_layer_of_the_project_may_be_named(run, layers, tmp_path):
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    layer = QgsVectorLayer(layers["REFERENCE"], "survey", "ogr")
+    layer.setSubsetString("fid < 3")
+    QgsProject.instance().addMapLayer(layer)
+    for reference in (layer, layer.id(), "survey"):
+        errors = str(tmp_path / "errors.gpkg")
+        result = run("compareplan", WALLS=layers["WALLS"], REFERENCE=reference, ERRORS=errors, REPORT=None)
+        assert result["COMPLETENESS"] == 1
+    QgsProject.instance().clear()
