@@ -33,7 +33,7 @@ def plan_of(image, **parameters):
         ("interior", 0.90, 0.90),
         ("yard", 0.80, 0.80),
         ("ruins", 0.80, 0.75),
-        ("rooms", 0.65, 0.60),
+        ("rooms", 0.65, 0.55),
         ("columns", 0.90, 0.85),
     ],
 )
