@@ -1,0 +1,110 @@
+"""Where exactly a room ends at a door: on the faces of the wall, not in the middle of the passage."""
+
+from typing import Optional
+
+import numpy as np
+from shapely.geometry import LineString, Point, Polygon
+from shapely.prepared import prep
+
+REACH = 3.0
+"""Deepest half of a passage in metres."""
+
+LOSS = 6.0
+"""How much deeper into the room (m) its end must lie for each metre that it is wider."""
+
+FLAT = 1e-5
+"""How far a corner may lie off the line between its neighbours and be none, in metres."""
+
+
+def trim(room: Polygon, gaps: np.ndarray) -> Polygon:
+    """Let a room end on the faces of the walls at its doors.
+
+    Where the sides of a passage run apart, as in a splay, the room ends where they begin to.
+
+    Parameters
+    ----------
+    room : Polygon
+        Reaches into each door, up to the narrowest place.
+    gaps : ndarray, shape (n, 2, 2)
+        Both ends of those places; they are sides of the room.
+    """
+    rings = [
+        _without_flat_corners(np.asarray(ring.coords)[:-1], gaps) for ring in (room.exterior, *room.interiors)
+    ]
+    room = Polygon(rings[0], rings[1:])
+    for gap in gaps:
+        for i, ring in enumerate(rings):
+            start = _find(ring, gap)
+            if start is None:
+                continue
+            trimmed = _moved(np.roll(ring, -start, axis=0), room)
+            shell, *holes = [*rings[:i], trimmed, *rings[i + 1 :]]
+            if Polygon(shell, holes).is_valid:
+                rings[i], room = trimmed, Polygon(shell, holes)
+    return room.simplify(FLAT)
+
+
+def _without_flat_corners(ring: np.ndarray, gaps: np.ndarray) -> np.ndarray:
+    before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
+    (x, y), (u, v) = (after - before).T, (ring - before).T
+    off = np.abs(x * v - y * u) / np.maximum(np.hypot(x, y), FLAT)
+    ends = (ring[:, None] == gaps.reshape(-1, 2)).all(axis=2).any(axis=1)
+    return ring[(off > FLAT) | ends]
+
+
+def _find(ring: np.ndarray, gap: np.ndarray) -> Optional[int]:
+    """Return the number of the corner at the end of a gap, or None if it is no side of the ring."""
+    after = np.roll(ring, -1, axis=0)
+    one = (ring == gap[0]).all(axis=1) & (after == gap[1]).all(axis=1)
+    other = (ring == gap[1]).all(axis=1) & (after == gap[0]).all(axis=1)
+    places = np.flatnonzero(one | other)
+    return (places[0] + 1) % len(ring) if len(places) else None
+
+
+def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
+    """Move the side between the last and the first corner to where the passage opens into the room."""
+    ahead, behind = _Jamb(ring), _Jamb(ring[::-1])
+    pairs = np.array(
+        [(s, t) for s in ahead.stations for t in behind.stations]
+        + [(s, behind.nearest(ahead.at(s))) for s in ahead.stations]
+        + [(ahead.nearest(behind.at(t)), t) for t in behind.stations]
+    )
+    widths = np.array([np.linalg.norm(ahead.at(s) - behind.at(t)) for s, t in pairs])
+    gain = pairs.mean(axis=1) - LOSS * np.maximum(widths - np.linalg.norm(ring[0] - ring[-1]), 0)
+    clear = prep(room.buffer(FLAT, join_style=2))
+    for best in np.argsort(-gain, kind="stable"):
+        s, t = pairs[best]
+        if gain[best] <= FLAT:
+            break
+        kept = ring[ahead.passed(s) : len(ring) - behind.passed(t)]
+        if len(kept) and clear.contains(LineString([ahead.at(s), behind.at(t)])):
+            return np.concatenate([[ahead.at(s)], kept, [behind.at(t)]])
+    return ring
+
+
+class _Jamb:
+    """One side of a passage: a ring from its first corner on.
+
+    Attributes
+    ----------
+    stations : ndarray
+        How far along the corners lie, in metres, up to `REACH` and not more than half around.
+    """
+
+    def __init__(self, ring: np.ndarray) -> None:
+        steps = np.linalg.norm(np.diff(ring, axis=0), axis=1)
+        along = np.concatenate([[0.0], np.cumsum(steps)])
+        self.line = LineString(ring)
+        self.reach = min(REACH, along[-1] / 2)
+        self.all_stations = along
+        self.stations = along[along <= self.reach]
+
+    def at(self, station: float) -> np.ndarray:
+        return np.array(self.line.interpolate(station).coords[0])
+
+    def nearest(self, point: np.ndarray) -> float:
+        return min(self.line.project(Point(point)), self.reach)
+
+    def passed(self, station: float) -> int:
+        """Return how many corners lie up to a station."""
+        return int(np.searchsorted(self.all_stations, station + FLAT, side="right"))
