@@ -116,10 +116,10 @@ def _pieces(chain: Chain, nodes: dict) -> list:
     if chain.length < SHORT * chain.width or len(chain.middles) < 3:
         return []
     tolerance = WANDER[0] + WANDER[1] * chain.width
-    runs = _runs(chain.middles, tolerance, chain.width)
+    runs = _adjusted(chain.middles, _runs(chain.middles, tolerance, chain.width))
     longest = max(runs, key=lambda run: _length(chain.middles, run))
     runs = [run for run in runs if _length(chain.middles, run) >= SHORT * chain.width] or [longest]
-    pieces = [_piece(chain, run, tolerance) for run in _adjusted(chain.middles, runs)]
+    pieces = [_piece(chain, run, tolerance) for run in runs]
     for one, other in zip(pieces, pieces[1:]):
         one.end = other.start = max(nodes, default=-1) + 1
         nodes[one.end] = (one.points[-1] + other.points[0]) / 2

@@ -4,6 +4,7 @@ from typing import Optional
 
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
+from shapely.ops import substring
 from shapely.prepared import prep
 
 REACH = 3.0
@@ -83,7 +84,7 @@ def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
 
 
 class _Jamb:
-    """One side of a passage: a ring from its first corner on.
+    """One side of a passage: the beginning of a ring.
 
     Attributes
     ----------
@@ -94,16 +95,16 @@ class _Jamb:
     def __init__(self, ring: np.ndarray) -> None:
         steps = np.linalg.norm(np.diff(ring, axis=0), axis=1)
         along = np.concatenate([[0.0], np.cumsum(steps)])
-        self.line = LineString(ring)
-        self.reach = min(REACH, along[-1] / 2)
+        reach = min(REACH, along[-1] / 2)
+        self.line = substring(LineString(ring), 0.0, reach)
         self.all_stations = along
-        self.stations = along[along <= self.reach]
+        self.stations = along[along <= reach]
 
     def at(self, station: float) -> np.ndarray:
         return np.array(self.line.interpolate(station).coords[0])
 
     def nearest(self, point: np.ndarray) -> float:
-        return min(self.line.project(Point(point)), self.reach)
+        return self.line.project(Point(point))
 
     def passed(self, station: float) -> int:
         """Return how many corners lie up to a station."""

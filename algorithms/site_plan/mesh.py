@@ -62,6 +62,10 @@ class Mesh:
         ends = np.column_stack([self.triangles[first, (corner + k) % 3] for k in (1, 2)])
         return Sides(first, second, ends, self.lengths(ends))
 
+    def outline_pieces(self) -> np.ndarray:
+        """Return the corners at the ends of all pieces of outlines, shape (n, 2)."""
+        return _all_sides(self.triangles)[(self.outline & self.wall[:, None]).ravel()]
+
     def lengths(self, ends: np.ndarray) -> np.ndarray:
         """Return the lengths of sides between corners, shape (n, 2), in metres."""
         return np.linalg.norm(np.diff(self.points[ends], axis=1)[:, 0], axis=1)

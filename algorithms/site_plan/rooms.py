@@ -4,14 +4,14 @@ Where two spaces meet at a narrow place, it is a door, and each space ends there
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import polygonize
 
-from .doors import trim
+from .doors import FLAT, trim
 from .grid import label_linked
 from .mesh import Mesh, triangulate
 
@@ -26,6 +26,9 @@ POCKET = 0.25
 
 MIN_AREA, MIN_WIDTH = 1.0, 0.8
 """Least area (m2) and width (m) of a room: what is less is the core of a wall, or a shaft."""
+
+SLENDER = 6.0
+"""A space longer than so many times its mean width has that width, whatever is wider where it turns."""
 
 
 @dataclass(frozen=True)
@@ -77,12 +80,18 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
         return ()
     mesh = triangulate(outlines, margin=max(2 * door_width, 1.0))
     spaces = _spaces(mesh, door_width)
+    mesh = _at_narrowest(mesh, spaces.gap_ends)
     found = [(_outline(mesh, spaces.label, number), number) for number in np.flatnonzero(spaces.is_room)]
-    found = sorted((pair for pair in found if pair[0].area >= MIN_AREA), key=lambda pair: -pair[0].area)
+    found = sorted((pair for pair in found if _is_wide(pair[0])), key=lambda pair: -pair[0].area)
     return tuple(
         Room(room_id, translate(outline, *mesh.origin), _count_openings(spaces, number))
         for room_id, (outline, number) in enumerate(found, start=1)
     )
+
+
+def _is_wide(outline: Polygon) -> bool:
+    length, width = outline.length / 2, 2 * outline.area / outline.length
+    return outline.area >= MIN_AREA and (length < SLENDER * width or width >= MIN_WIDTH)
 
 
 @dataclass(frozen=True)
@@ -94,14 +103,15 @@ class _Spaces:
     label : ndarray of int, shape (triangles,)
         -1 inside walls.
     is_room, is_outside : ndarray of bool, shape (spaces,)
-    gaps : list of (int, int)
-        The spaces on both sides of each narrow place.
+    gaps, gap_ends : ndarray of int, shape (n, 2)
+        The spaces on both sides of each narrow place, and the corners of the mesh at its ends.
     """
 
     label: np.ndarray
     is_room: np.ndarray
     is_outside: np.ndarray
-    gaps: list
+    gaps: np.ndarray
+    gap_ends: np.ndarray
 
 
 def _spaces(mesh: Mesh, door_width: float) -> _Spaces:
@@ -116,16 +126,33 @@ def _spaces(mesh: Mesh, door_width: float) -> _Spaces:
     merged = _Merging(np.bincount(part, mesh.areas(), count), width)
     narrow = np.flatnonzero(~wide)
     narrow = narrow[np.argsort(-sides.lengths[narrow], kind="stable")]
-    pairs = part[np.column_stack([sides.first[narrow], sides.second[narrow]])].tolist()
+    pairs = part[np.column_stack([sides.first, sides.second])[narrow]]
     lengths = sides.lengths[narrow].tolist()
-    apart = [pair for pair, length in zip(pairs, lengths) if not merged.join(*pair, length)]
+    apart = [not merged.join(*pair, length) for pair, length in zip(pairs.tolist(), lengths)]
     root = np.array([merged.root(i) for i in range(count)])
     label = np.where(mesh.wall, -1, root[part])
     is_outside = np.isinf(merged.width)
     is_room = (merged.area >= MIN_AREA) & (merged.width >= MIN_WIDTH) & ~is_outside
     is_room[np.setdiff1d(np.arange(count), label)] = False
-    gaps = [(root[a], root[b]) for a, b in apart if root[a] != root[b]]
-    return _Spaces(label, is_room, is_outside, gaps)
+    gaps, ends = root[pairs[apart]], sides.ends[narrow[apart]]
+    between = gaps[:, 0] != gaps[:, 1]
+    return _Spaces(label, is_room, is_outside, gaps[between], ends[between])
+
+
+def _at_narrowest(mesh: Mesh, gap_ends: np.ndarray) -> Mesh:
+    """Slide the ends of gaps along straight faces to where the gap is narrowest: samples lie anywhere."""
+    points, pieces = mesh.points.copy(), mesh.outline_pieces()
+    for gap in gap_ends:
+        for fixed, loose in (gap, gap[::-1]):
+            beside = np.setdiff1d(pieces[(pieces == loose).any(axis=1)], [loose])
+            if len(beside) != 2:
+                continue
+            along = points[beside[1]] - points[beside[0]]
+            x, y = points[loose] - points[beside[0]]
+            if abs(along[0] * y - along[1] * x) <= FLAT * np.linalg.norm(along):
+                share = (points[fixed] - points[beside[0]]) @ along / (along @ along)
+                points[loose] = points[beside[0]] + np.clip(share, 0.01, 0.99) * along
+    return replace(mesh, points=points)
 
 
 class _Merging:
@@ -163,7 +190,7 @@ class _Merging:
 
 def _count_openings(spaces: _Spaces, number: int) -> int:
     real = spaces.is_room | spaces.is_outside
-    return sum(number in pair and bool(real[list(pair)].all()) for pair in spaces.gaps)
+    return sum(number in pair and bool(real[pair].all()) for pair in spaces.gaps)
 
 
 def _outline(mesh: Mesh, label: np.ndarray, number: int) -> Polygon:
