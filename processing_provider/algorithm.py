@@ -72,7 +72,10 @@ class Algorithm(QgsProcessingAlgorithm):
 
     @abstractmethod
     def compute(self, values: dict, log: Log) -> Outcome:
-        """Call the core with the values of the inputs, by name."""
+        """Call the core with the values of the inputs and the paths of the destinations, by name.
+
+        The path of a file that nobody wants is None.
+        """
 
     def name(self) -> str:
         return self.key
@@ -140,7 +143,8 @@ class Algorithm(QgsProcessingAlgorithm):
             files = {output: path for output, path in files.items() if path}
             sources = self._sources(values)
             check_outputs(files, sources)
-            outcome = self.compute(values, log)
+            wanted = {output.name: files.get(output) for output in self.destinations}
+            outcome = self.compute({**values, **wanted}, log)
             styles = _write(files, outcome, sources)
         show_when_loaded(styles, context)
         results = dict(outcome.numbers)

@@ -33,10 +33,13 @@ class Destination(Parameter):
         Name of the style, in the folder styles, with which QGIS shows it.
     optional : bool
         Whether the user may do without it.
+    by_default : bool
+        Whether an optional file is made unless the user says otherwise.
     """
 
     style: Optional[str] = None
     optional: bool = False
+    by_default: bool = True
 
     @property
     @abstractmethod
@@ -93,7 +96,7 @@ class RasterDestination(Destination):
 
     def _definition(self) -> QgsProcessingParameterRasterDestination:
         return QgsProcessingParameterRasterDestination(
-            self.name, self.description, optional=self.optional, createByDefault=True
+            self.name, self.description, optional=self.optional, createByDefault=self.by_default
         )
 
 
@@ -106,7 +109,11 @@ class VectorDestination(Destination):
 
     def _definition(self) -> QgsProcessingParameterVectorDestination:
         return QgsProcessingParameterVectorDestination(
-            self.name, self.description, self.geometry, optional=self.optional, createByDefault=True
+            self.name,
+            self.description,
+            self.geometry,
+            optional=self.optional,
+            createByDefault=self.by_default,
         )
 
 
@@ -139,7 +146,7 @@ class FileDestination(Destination):
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         return QgsProcessingParameterFileDestination(
-            self.name, self.description, self.filters, optional=self.optional, createByDefault=True
+            self.name, self.description, self.filters, optional=self.optional, createByDefault=self.by_default
         )
 
     def _path(self, algorithm, parameters, context) -> str:
@@ -174,13 +181,9 @@ class TableDestination(FileDestination):
 class DrawingDestination(FileDestination):
     """A drawing, not made unless asked for, since it needs a package that QGIS may lack."""
 
+    by_default: bool = False
     extensions = (".dxf",)
     filters = "DXF files (*.dxf)"
-
-    def _definition(self) -> QgsProcessingParameterFileDestination:
-        definition = super()._definition()
-        definition.setCreateByDefault(False)
-        return definition
 
     def value(self, algorithm, parameters, context) -> Optional[Path]:
         """Return the path; refuse it if it cannot be written, before anything is computed."""

@@ -13,6 +13,9 @@ REACH = 3.0
 LOSS = 6.0
 """How much deeper into the room (m) its end must lie for each metre that it is wider."""
 
+WIDER = 1.1
+"""How many times as wide as the narrowest place that end may be."""
+
 FLAT = 1e-5
 """How far a corner may lie off the line between its neighbours and be none, in metres."""
 
@@ -71,7 +74,9 @@ def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
         + [(ahead.nearest(behind.at(t)), t) for t in behind.stations]
     )
     widths = np.array([np.linalg.norm(ahead.at(s) - behind.at(t)) for s, t in pairs])
-    gain = pairs.mean(axis=1) - LOSS * np.maximum(widths - np.linalg.norm(ring[0] - ring[-1]), 0)
+    narrowest = np.linalg.norm(ring[0] - ring[-1])
+    gain = pairs.mean(axis=1) - LOSS * np.maximum(widths - narrowest, 0)
+    gain[widths > WIDER * narrowest] = 0
     clear = prep(room.buffer(FLAT, join_style=2))
     for best in np.argsort(-gain, kind="stable"):
         s, t = pairs[best]

@@ -5,8 +5,12 @@ Where two spaces meet at a narrow place, it is a door, and each space ends there
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Optional
 
 import numpy as np
+from affine import Affine
+from rasterio.features import rasterize
+from scipy import ndimage
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import polygonize
@@ -43,11 +47,14 @@ class Room:
         World coordinates; along the faces of the walls and straight across doors. Free columns are holes.
     openings : int
         Number of gaps to other rooms or the outside that were bridged: doors, and where a wall is broken.
+    z_floor : float or None
+        Usual height of the ground inside, metres; None if it is not known.
     """
 
     room_id: int
     outline: Polygon
     openings: int
+    z_floor: Optional[float] = None
 
     @property
     def area(self) -> float:
@@ -86,6 +93,30 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     return tuple(
         Room(room_id, translate(outline, *mesh.origin), _count_openings(spaces, number))
         for room_id, (outline, number) in enumerate(found, start=1)
+    )
+
+
+def with_floors(rooms: tuple, ground: np.ndarray, transform: Affine) -> tuple:
+    """Return rooms with the heights of their floors.
+
+    Parameters
+    ----------
+    rooms : tuple of Room
+    ground : ndarray of float, shape (rows, columns)
+        Height of the local ground, metres; nan where it is not known.
+    transform : Affine
+        From (column, row) to world coordinates.
+    """
+    if not rooms:
+        return ()
+    labels = rasterize(
+        [(room.outline, room.room_id) for room in rooms], ground.shape, transform=transform, dtype="int32"
+    )
+    known = np.where(np.isfinite(ground), labels, 0)
+    floors = ndimage.median(ground, known, [room.room_id for room in rooms])
+    seen = np.isin([room.room_id for room in rooms], known)
+    return tuple(
+        replace(room, z_floor=float(z)) if held else room for room, z, held in zip(rooms, floors, seen)
     )
 
 

@@ -1,6 +1,6 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <!-- made by Ichnograph -->
-<qgis styleCategories="Symbology" version="3.22">
+<qgis styleCategories="Symbology|Symbology3D" version="3.22">
   <renderer-v2 type="categorizedSymbol" attr="kind" enableorderby="0" symbollevels="0">
     <categories>
       <category value="straight" symbol="0" render="true" label="Straight wall"/>
@@ -63,6 +63,32 @@
       </symbol>
     </symbols>
   </renderer-v2>
+  <renderer-3d type="vector" layer="">
+    <vector-layer-3d-tiling show-bounding-boxes="0" zoom-levels-count="3"/>
+    <symbol type="polygon" material_type="phong">
+      <data alt-clamping="absolute" alt-binding="centroid" height="0" extrusion-height="0" culling-mode="no-culling" invert-normals="0" add-back-faces="0" rendered-facade="3"/>
+      <material ambient="60,26,18,255" diffuse="200,120,100,255" specular="255,255,255,255" shininess="0"/>
+      <data-defined-properties>
+        <Option type="Map">
+          <Option type="QString" name="name" value=""/>
+          <Option type="Map" name="properties">
+            <Option type="Map" name="height">
+              <Option type="bool" name="active" value="true"/>
+              <Option type="QString" name="expression" value="&quot;z_base&quot;"/>
+              <Option type="int" name="type" value="3"/>
+            </Option>
+            <Option type="Map" name="extrusionHeight">
+              <Option type="bool" name="active" value="true"/>
+              <Option type="QString" name="expression" value="&quot;z_top&quot; - &quot;z_base&quot;"/>
+              <Option type="int" name="type" value="3"/>
+            </Option>
+          </Option>
+          <Option type="QString" name="type" value="collection"/>
+        </Option>
+      </data-defined-properties>
+      <edges enabled="0" width="1" color="0,0,0,255"/>
+    </symbol>
+  </renderer-3d>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
   <layerGeometryType>2</layerGeometryType>

@@ -1,0 +1,72 @@
+"""What a site plan tells beyond its walls: axes and rooms."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from .algorithm import Outcome
+from .destinations import LineDestination, PolygonDestination
+from .log import Log
+from .parameters import Number
+
+if TYPE_CHECKING:
+    from ..algorithms.site_plan.density import DensityImage
+    from ..algorithms.site_plan.plan import SitePlan
+
+DOOR_WIDTH = Number(
+    "DOOR_WIDTH",
+    "Widest door of a room",
+    "Gaps in walls up to this width are bridged for ROOMS. Leaves of doors are up to 1.25 m wide, and "
+    "corridors seldom narrower than 1.3 m. Raise it for gates and broken walls.",
+    unit="m",
+    default=1.3,
+    minimum=0.1,
+    maximum=20,
+    advanced=True,
+)
+
+AXES = LineDestination(
+    "AXES",
+    "Axes",
+    "Centrelines of the walls that meet at junctions, with thickness, azimuth or radius. GeoPackage or "
+    "shapefile, by extension.",
+    style="axes",
+    optional=True,
+    by_default=False,
+)
+
+ROOMS = PolygonDestination(
+    "ROOMS",
+    "Rooms",
+    "Closed spaces between the faces of the walls, with area and perimeter. GeoPackage or shapefile, by "
+    "extension.",
+    style="rooms",
+    optional=True,
+    by_default=False,
+)
+
+ROOM_NUMBERS = (
+    ("ROOM_COUNT", "Number of rooms, if ROOMS are made"),
+    ("ROOM_AREA", "Area of the rooms (m²), if ROOMS are made"),
+)
+
+
+def axes_and_rooms(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> Outcome:
+    """Find what is wanted of the axes and the rooms."""
+    from ..algorithms.site_plan.axes import find_axes
+    from ..algorithms.site_plan.room_layers import write_axes, write_rooms
+    from ..algorithms.site_plan.rooms import find_rooms, with_floors
+
+    writers, numbers = {}, {}
+    if values["AXES"]:
+        axes = find_axes((wall.wall_id, wall.outline) for wall in plan.walls)
+        writers["AXES"] = partial(write_axes, axes=axes, crs=image.crs)
+    if values["ROOMS"]:
+        rooms = find_rooms((wall.outline for wall in plan.walls), values["DOOR_WIDTH"])
+        rooms = with_floors(rooms, image.ground, image.transform)
+        area = sum(room.area for room in rooms)
+        log.info(f"Rooms: {len(rooms)}, {area:.2f} m².")
+        if not rooms:
+            log.warn(["No room is closed: raise DOOR_WIDTH above the widest gap in its walls."])
+        writers["ROOMS"] = partial(write_rooms, rooms=rooms, crs=image.crs)
+        numbers = {"ROOM_COUNT": len(rooms), "ROOM_AREA": area}
+    return Outcome(writers, numbers)
