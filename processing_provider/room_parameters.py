@@ -1,10 +1,10 @@
-"""What a site plan tells beyond its walls: axes and rooms."""
+"""What a site plan tells beyond its walls: axes, rooms and the report."""
 
 from functools import partial
 from typing import TYPE_CHECKING
 
 from .algorithm import Outcome
-from .destinations import LineDestination, PolygonDestination
+from .destinations import HtmlDestination, LineDestination, PolygonDestination
 from .log import Log
 from .parameters import Number
 
@@ -44,29 +44,56 @@ ROOMS = PolygonDestination(
     by_default=False,
 )
 
+REPORT = HtmlDestination(
+    "REPORT",
+    "Report",
+    "HTML page that shows what each parameter did, and which to turn; see the results viewer.",
+    optional=True,
+    by_default=False,
+)
+
 ROOM_NUMBERS = (
     ("ROOM_COUNT", "Number of rooms, if ROOMS are made"),
     ("ROOM_AREA", "Area of the rooms (m²), if ROOMS are made"),
 )
 
 
-def axes_and_rooms(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> Outcome:
-    """Find what is wanted of the axes and the rooms."""
+def further_outputs(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> Outcome:
+    """Make what is wanted of the axes, the rooms and the report."""
     from ..algorithms.site_plan.axes import find_axes
+    from ..algorithms.site_plan.plan_report import write_report
     from ..algorithms.site_plan.room_layers import write_axes, write_rooms
-    from ..algorithms.site_plan.rooms import find_rooms, with_floors
 
-    writers, numbers = {}, {}
+    rooms = _find_rooms(plan, image, values, log) if values["ROOMS"] else ()
+    writers = {
+        "REPORT": partial(write_report, plan=plan, image=image, settings=_settings(values), rooms=rooms)
+    }
+    numbers = {}
     if values["AXES"]:
         axes = find_axes((wall.wall_id, wall.outline) for wall in plan.walls)
+        log.info(f"Axes: {len(axes)}, {sum(axis.length for axis in axes):.1f} m long.")
         writers["AXES"] = partial(write_axes, axes=axes, crs=image.crs)
     if values["ROOMS"]:
-        rooms = find_rooms((wall.outline for wall in plan.walls), values["DOOR_WIDTH"])
-        rooms = with_floors(rooms, image.ground, image.transform)
-        area = sum(room.area for room in rooms)
-        log.info(f"Rooms: {len(rooms)}, {area:.2f} m².")
-        if not rooms:
-            log.warn(["No room is closed: raise DOOR_WIDTH above the widest gap in its walls."])
         writers["ROOMS"] = partial(write_rooms, rooms=rooms, crs=image.crs)
-        numbers = {"ROOM_COUNT": len(rooms), "ROOM_AREA": area}
+        numbers = {"ROOM_COUNT": len(rooms), "ROOM_AREA": sum(room.area for room in rooms)}
     return Outcome(writers, numbers)
+
+
+def _find_rooms(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> tuple:
+    """Find the rooms, and tell of them."""
+    from ..algorithms.site_plan.rooms import find_rooms, with_floors
+
+    rooms = find_rooms((wall.outline for wall in plan.walls), values["DOOR_WIDTH"])
+    if not rooms:
+        log.warn(["No room is closed: raise DOOR_WIDTH above the widest gap in its walls."])
+    log.info(f"Rooms: {len(rooms)}, {sum(room.area for room in rooms):.2f} m².")
+    return with_floors(rooms, image.ground, image.transform)
+
+
+def _settings(values: dict) -> dict:
+    """Return the parameters that only the run knows, as the report shows them."""
+    return {
+        "SPACING": f"{values['SPACING']:g} m",
+        "NEIGHBOURHOOD": f"{values['NEIGHBOURHOOD']} pixels",
+        **({"DOOR_WIDTH": f"{values['DOOR_WIDTH']:g} m"} if values["ROOMS"] else {}),
+    }

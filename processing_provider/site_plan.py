@@ -6,7 +6,7 @@ from .algorithm import Algorithm, Outcome
 from .cloud_parameters import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
 from .density_parameters import POINT_NUMBERS, compute_density, density_destination, point_numbers
 from .log import Log
-from .room_parameters import AXES, DOOR_WIDTH, ROOM_NUMBERS, ROOMS, axes_and_rooms
+from .room_parameters import AXES, DOOR_WIDTH, REPORT, ROOM_NUMBERS, ROOMS, further_outputs
 from .wall_parameters import (
     WALL_NUMBERS,
     WALL_PARAMETERS,
@@ -45,7 +45,14 @@ class SitePlanAlgorithm(Algorithm):
         "building",
     )
     inputs = (CLOUDS, SPACING, PIXEL_SIZE, *WALL_PARAMETERS, CRS, neighbourhood(advanced=True), DOOR_WIDTH)
-    destinations = (density_destination(optional=True), plan_destination(optional=True), ROOMS, WALLS, AXES)
+    destinations = (
+        density_destination(optional=True),
+        plan_destination(optional=True),
+        ROOMS,
+        WALLS,
+        AXES,
+        REPORT,
+    )
     numbers = POINT_NUMBERS + WALL_NUMBERS + ROOM_NUMBERS
 
     def compute(self, values: dict, log: Log) -> Outcome:
@@ -58,7 +65,7 @@ class SitePlanAlgorithm(Algorithm):
         )
         writers = wall_writers(plan, image.transform, image.crs)
         writers["DENSITY"] = partial(write_density, image=image)
-        further = axes_and_rooms(plan, image, values, log)
+        further = further_outputs(plan, image, values, log)
         return Outcome(
             {**writers, **further.writers}, {**point_numbers(image), **wall_numbers(plan), **further.numbers}
         )

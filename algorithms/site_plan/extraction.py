@@ -1,5 +1,6 @@
 """Wall pixels of a density image: thresholds, criteria, combination, closing (section 2.2)."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Optional
 
@@ -9,7 +10,7 @@ from ..errors import NothingFoundError
 from ..progress import Progress
 from .closing import bridge_corners, close_gaps
 from .gate import Gate, Heights, make_gate
-from .regions import Criteria, select_regions
+from .regions import Criteria, Selection, select_regions
 from .thresholds import Thresholds, choose_thresholds
 
 CLOSING_SEEN = 0.8
@@ -78,6 +79,8 @@ class WallImage:
     gap : float
         Widest gap that was closed, metres.
     criteria : Criteria
+    parameters : WallParameters
+        As they were given.
     warnings : tuple of str
     """
 
@@ -87,6 +90,7 @@ class WallImage:
     thresholds: Thresholds
     gap: float
     criteria: Criteria
+    parameters: WallParameters
     warnings: tuple
 
 
@@ -130,10 +134,10 @@ def extract_wall_pixels(
     criteria = parameters.criteria(pixel_size)
     votes = np.zeros(gated.shape, np.uint8)
     regions = too_small = wrong_shape = 0
+    steps = select_by_threshold(gated, thresholds, pixel_size, criteria, gate.column)
     for i, value in enumerate(thresholds.values):
         progress.update(i / len(thresholds.values), f"Threshold {value:.2f}")
-        binary = (gated > 0) & (gated >= value * thresholds.deviation)
-        selection = select_regions(binary, pixel_size, criteria, gate.column)
+        selection = next(steps)
         votes += selection.kept
         regions += selection.regions
         too_small += selection.too_small
@@ -144,7 +148,32 @@ def extract_wall_pixels(
     gap = parameters.gap(gate)
     walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
     walls = bridge_corners(walls, gated)
-    return WallImage(walls, votes, gated, thresholds, gap, criteria, gate.warnings)
+    return WallImage(walls, votes, gated, thresholds, gap, criteria, parameters, gate.warnings)
+
+
+def select_by_threshold(
+    gated: np.ndarray,
+    thresholds: Thresholds,
+    pixel_size: float,
+    criteria: Criteria,
+    column: Optional[np.ndarray],
+) -> Iterator[Selection]:
+    """Yield what the criteria keep at each threshold, the lowest first.
+
+    Parameters
+    ----------
+    gated : ndarray of float, shape (rows, columns)
+        Density of the pixels that may be wall, 0 elsewhere.
+    thresholds : Thresholds
+    pixel_size : float
+        Metres.
+    criteria : Criteria
+    column : ndarray of bool, shape (rows, columns), optional
+        Pixels filled to a column's height.
+    """
+    for value in thresholds.values:
+        binary = (gated > 0) & (gated >= value * thresholds.deviation)
+        yield select_regions(binary, pixel_size, criteria, column)
 
 
 def _what_removed(

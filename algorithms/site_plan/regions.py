@@ -41,12 +41,15 @@ class Selection:
 
     Attributes
     ----------
-    kept : ndarray of bool, shape (rows, columns)
+    kept, small, misshapen : ndarray of bool, shape (rows, columns)
+        Pixels of the regions that were kept, and of those removed by area and by both shape criteria.
     regions, too_small, wrong_shape : int
         Number of regions in the image, and of those removed by area and by both shape criteria.
     """
 
     kept: np.ndarray
+    small: np.ndarray
+    misshapen: np.ndarray
     regions: int
     too_small: int
     wrong_shape: int
@@ -79,9 +82,10 @@ def select_regions(
     for region in regionprops(np.where(large[labels], labels, 0)):
         high = column is not None and column[region.slice][region.image].mean() > 0.5
         passes[region.label] = bool(wall_shape(region, criteria)) or (high and _is_column(region, pixel_size))
-    too_small = count - int(large.sum())
-    wrong_shape = int(large.sum()) - int(passes.sum())
-    return Selection(passes[labels], count, too_small, wrong_shape)
+    small, misshapen = ~large, large & ~passes
+    small[0] = False
+    counts = (count, int(small.sum()), int(misshapen.sum()))
+    return Selection(passes[labels], small[labels], misshapen[labels], *counts)
 
 
 def wall_shape(region, criteria: Criteria) -> Optional[str]:

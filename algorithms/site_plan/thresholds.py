@@ -5,6 +5,7 @@ the usual density of the pixels in which nothing rises above the ground.
 """
 
 from dataclasses import dataclass
+from enum import Enum
 from typing import Optional
 
 import numpy as np
@@ -73,6 +74,24 @@ def choose_thresholds(
     return Thresholds(tuple(values.tolist()), deviation)
 
 
+class Rule(Enum):
+    """How the lowest threshold is derived, and from what."""
+
+    QUARTILE = "the lower quartile of the density, as nothing is known to be flat"
+    SURFACES = "the usual density of the pixels that show horizontal surfaces only"
+    OTSU = "Otsu's threshold of the logarithm of the density"
+    PARTED = "the density that parts horizontal surfaces best from the rest"
+
+
+def surface_rule(flat: np.ndarray, tall: np.ndarray) -> Rule:
+    """Return the rule for the pixels that hold density; the arrays are those of `choose_thresholds`."""
+    if not flat.any():
+        return Rule.QUARTILE
+    if not (flat & tall).any():
+        return Rule.SURFACES
+    return Rule.OTSU if flat.all() else Rule.PARTED
+
+
 def surface_level(density: np.ndarray, flat: np.ndarray, tall: np.ndarray) -> float:
     """Return the density above which a pixel shows more than horizontal surfaces.
 
@@ -87,11 +106,12 @@ def surface_level(density: np.ndarray, flat: np.ndarray, tall: np.ndarray) -> fl
     flat, tall : ndarray of bool, shape (n,)
         As in `choose_thresholds`.
     """
-    if not flat.any():
+    rule = surface_rule(flat, tall)
+    if rule is Rule.QUARTILE:
         return float(np.percentile(density, 25))
-    if not (flat & tall).any():
+    if rule is Rule.SURFACES:
         return float(np.median(density[flat]))
-    if flat.all():
+    if rule is Rule.OTSU:
         return float(np.exp(threshold_otsu(np.log(density[density > 0]))))
     levels = np.percentile(density, np.arange(1, 100))
     passed = 1 - np.searchsorted(np.sort(density[flat]), levels) / flat.sum()
