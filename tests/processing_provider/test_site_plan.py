@@ -1,0 +1,115 @@
+"""What `siteplan` makes beyond the walls: axes, rooms, the report, and walls that stand in the 3D view."""
+
+from pathlib import Path
+
+import fiona
+import pytest
+
+FURTHER = {"AXES": "axes.gpkg", "ROOMS": "rooms.gpkg", "REPORT": "plan.html"}
+
+
+@pytest.fixture(scope="module")
+def made(run, room, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("site")
+    return run(
+        "siteplan",
+        INPUT=room,
+        WALLS=str(folder / "walls.gpkg"),
+        **{name: str(folder / file) for name, file in FURTHER.items()},
+    )
+
+
+def test_the_room_is_found_between_its_faces(made):
+    with fiona.open(made["ROOMS"]) as layer:
+        (feature,) = layer
+        assert layer.crs.to_epsg() == 25833
+    row = feature["properties"]
+    # The room is 6 by 4 m; outlines of pixels lie about half of one off.
+    assert row["area"] == pytest.approx(24.0, abs=1.5)
+    assert row["perimeter"] == pytest.approx(20.0, abs=0.8)
+    assert (row["room_id"], row["openings"]) == (1, 0)
+    assert row["z_floor"] == pytest.approx(70.0, abs=0.05)
+    assert (made["ROOM_COUNT"], made["ROOM_AREA"]) == (1, pytest.approx(row["area"], abs=1e-3))
+
+
+def test_the_axes_run_around_the_room(made):
+    with fiona.open(made["AXES"]) as layer:
+        rows = [feature["properties"] for feature in layer]
+    assert len(rows) == 4
+    assert sum(row["length"] for row in rows) == pytest.approx(20.0, abs=0.5)
+    assert {row["wall_id"] for row in rows} == {1}
+
+
+def test_the_report_tells_what_the_run_was_given(made):
+    page = Path(made["REPORT"]).read_text(encoding="utf-8")
+    assert "Site plan" in page
+    assert "DOOR_WIDTH" in page
+
+
+def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, tmp_path):
+    result = run("siteplan", INPUT=room, WALLS=str(tmp_path / "walls.gpkg"))
+
+    assert not {*FURTHER, "ROOM_COUNT", "ROOM_AREA"} & {*result}
+    definitions = {item.name(): item for item in provider.algorithm("siteplan").parameterDefinitions()}
+    assert not any(definitions[name].createByDefault() for name in FURTHER)
+
+
+def test_rooms_can_be_the_result_of_a_model(provider, room, tmp_path):
+    import processing
+    from qgis.core import (
+        QgsProcessing,
+        QgsProcessingModelAlgorithm,
+        QgsProcessingModelChildAlgorithm,
+        QgsProcessingModelChildParameterSource,
+        QgsProcessingModelOutput,
+        QgsProcessingModelParameter,
+        QgsProcessingParameterMultipleLayers,
+    )
+
+    model = QgsProcessingModelAlgorithm("rooms", "rooms")
+    clouds = QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", QgsProcessing.SourceType.TypeFile)
+    model.addModelParameter(clouds, QgsProcessingModelParameter("CLOUDS"))
+    child = QgsProcessingModelChildAlgorithm("ichnograph:siteplan")
+    child.setChildId("plan")
+    child.addParameterSources("INPUT", [QgsProcessingModelChildParameterSource.fromModelParameter("CLOUDS")])
+    output = QgsProcessingModelOutput("rooms", "rooms")
+    output.setChildOutputName("ROOMS")
+    output.setChildId("plan")
+    child.setModelOutputs({"rooms": output})
+    model.addChildAlgorithm(child)
+    (definition,) = model.destinationParameterDefinitions()
+
+    path = str(tmp_path / "rooms.gpkg")
+    processing.run(model, {"CLOUDS": [room], definition.name(): path})
+    with fiona.open(path) as layer:
+        assert len(layer) == 1
+
+
+def test_walls_rise_from_base_to_top_in_the_3d_view(made):
+    pytest.importorskip("qgis._3d", reason="QGIS was built without its 3D view")
+    from qgis._3d import Qgs3D
+    from qgis.core import QgsVectorLayer
+    from qgis.PyQt.QtXml import QDomDocument
+
+    Qgs3D.initialize()
+    layer = QgsVectorLayer(made["WALLS"], "walls")
+    assert layer.renderer3D().type() == "vector"
+    document = QDomDocument()
+    layer.exportNamedStyle(document)
+    properties = document.documentElement().firstChildElement("renderer-3d").toElement()
+    options = properties.elementsByTagName("Option")
+    expressions = [
+        options.at(i).toElement().attribute("value")
+        for i in range(options.count())
+        if options.at(i).toElement().attribute("name") == "expression"
+    ]
+    assert sorted(expressions) == ['"z_base"', '"z_top" - "z_base"']
+
+
+def test_rooms_and_axes_are_labelled_with_area_and_thickness(made):
+    from qgis.core import QgsVectorLayer
+
+    for name, field in {"ROOMS": "area", "AXES": "thickness"}.items():
+        layer = QgsVectorLayer(made[name], name)
+        assert layer.labelsEnabled()
+        assert field in layer.labeling().settings().fieldName
