@@ -100,7 +100,11 @@ def _axes_of(outline: Polygon) -> list:
     nodes = dict(skeleton.junctions)
     pieces = [piece for chain in skeleton.chains for piece in _pieces(chain, nodes)]
     local = translate(outline, *-skeleton.origin)
-    places = {node: _meeting(node, where, pieces) for node, where in nodes.items()}
+    curves = {node: [] for node in (None, *nodes)}
+    for piece in pieces:
+        curves[piece.start].append(piece.curve)
+        curves[piece.end].append(piece.curve)
+    places = {node: _meeting(where, curves[node]) for node, where in nodes.items()}
     lines = [_drawn(piece, places, local) for piece in pieces]
     if sum(line.length for line in lines) < COMPACT * skeleton.width:
         return []
@@ -207,9 +211,8 @@ def _piece(chain: Chain, run: tuple, tolerance: float) -> _Piece:
     return _Piece(points, chain.chords[start:stop][core], curve)
 
 
-def _meeting(node: int, where: np.ndarray, pieces: Sequence) -> np.ndarray:
-    """Return the point nearest to the curves of all pieces that meet in a node."""
-    curves = [piece.curve for piece in pieces if node in (piece.start, piece.end)]
+def _meeting(where: np.ndarray, curves: Sequence) -> np.ndarray:
+    """Return the point nearest to the curves that meet about a place."""
     for _ in range(2):
         matrix, vector = LOOSE * np.eye(2), LOOSE * where
         for line in (curve.tangent(where) for curve in curves):

@@ -88,7 +88,7 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     mesh = triangulate(outlines, margin=max(2 * door_width, 1.0))
     spaces = _spaces(mesh, door_width)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
-    found = [(_outline(mesh, spaces.label, number), number) for number in np.flatnonzero(spaces.is_room)]
+    found = [(_outline(mesh, spaces, number), number) for number in np.flatnonzero(spaces.is_room)]
     found = sorted((pair for pair in found if _is_wide(pair[0])), key=lambda pair: -pair[0].area)
     return tuple(
         Room(room_id, translate(outline, *mesh.origin), _count_openings(spaces, number))
@@ -133,12 +133,15 @@ class _Spaces:
     ----------
     label : ndarray of int, shape (triangles,)
         -1 inside walls.
+    area : ndarray, shape (spaces,)
+        Square metres.
     is_room, is_outside : ndarray of bool, shape (spaces,)
     gaps, gap_ends : ndarray of int, shape (n, 2)
         The spaces on both sides of each narrow place, and the corners of the mesh at its ends.
     """
 
     label: np.ndarray
+    area: np.ndarray
     is_room: np.ndarray
     is_outside: np.ndarray
     gaps: np.ndarray
@@ -167,7 +170,7 @@ def _spaces(mesh: Mesh, door_width: float) -> _Spaces:
     is_room[np.setdiff1d(np.arange(count), label)] = False
     gaps, ends = root[pairs[apart]], sides.ends[narrow[apart]]
     between = gaps[:, 0] != gaps[:, 1]
-    return _Spaces(label, is_room, is_outside, gaps[between], ends[between])
+    return _Spaces(label, merged.area, is_room, is_outside, gaps[between], ends[between])
 
 
 def _at_narrowest(mesh: Mesh, gap_ends: np.ndarray) -> Mesh:
@@ -224,15 +227,14 @@ def _count_openings(spaces: _Spaces, number: int) -> int:
     return sum(number in pair and bool(real[pair].all()) for pair in spaces.gaps)
 
 
-def _outline(mesh: Mesh, label: np.ndarray, number: int) -> Polygon:
+def _outline(mesh: Mesh, spaces: _Spaces, number: int) -> Polygon:
     """Return the outline of a space, from face to face."""
-    inside = np.flatnonzero(label == number)
-    beyond = np.where(mesh.neighbours[inside] >= 0, label[mesh.neighbours[inside]], -1) != number
-    row, corner = np.nonzero(beyond)
+    inside = np.flatnonzero(spaces.label == number)
+    neighbours = mesh.neighbours[inside]
+    row, corner = np.nonzero(np.where(neighbours >= 0, spaces.label[neighbours], -1) != number)
     ends = np.column_stack([mesh.triangles[inside[row], (corner + k) % 3] for k in (1, 2)])
     is_gap = ~mesh.outline[inside[row], corner]
     faces = list(polygonize(LineString(pair) for pair in mesh.points[ends]))
-    area = mesh.areas()[inside].sum()
     # The rings of columns inside the space are faces as well.
-    whole = min(faces, key=lambda face: abs(face.area - area))
+    whole = min(faces, key=lambda face: abs(face.area - spaces.area[number]))
     return trim(whole, mesh.points[ends[is_gap]])
