@@ -10,7 +10,7 @@ RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)
 RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu OPENBLAS_NUM_THREADS=1 \
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
-.PHONY: help setup demo test lint accuracy plan benchmark figure2 real package test-matrix
+.PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
 .PHONY: facade facade-peers
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
@@ -78,6 +78,9 @@ accuracy: setup  ## Print how well the walls of the simulated scenes are found
 
 plan: setup  ## Print how good plans are over random scenes, turns and shifts: the worst of them
 	$(RUN) -m ichnograph.benchmarks.plan
+
+rooms: setup  ## Print how well the rooms between the walls of the simulated scenes are found
+	$(RUN) -m ichnograph.benchmarks.rooms
 
 benchmark: setup  ## Print how long ten million points take, and how much memory
 	$(RUN) -m ichnograph.benchmarks.speed

@@ -15,13 +15,13 @@ WANDER = (0.01, 0.12)
 """How far a centreline may lie off a piece: metres, and a share of the wall's thickness."""
 
 CURVED = 1.5
-"""An arc is taken where it follows the wall so many times as far as a line."""
-
-SHORT = 1.0
-"""A piece between two others shorter than this share of the thickness is the corner in which they meet."""
+"""An arc is taken where it follows the wall so many times as far as a line,"""
 
 BENT = 0.25
-"""And turns by at least this angle, in radians."""
+"""and turns by at least this angle, in radians."""
+
+SHORT = 1.0
+"""A piece shorter than this share of the thickness is the corner in which others meet, or part of a wall."""
 
 COMPACT = 1.5
 """A wall whose axes are shorter than so many times the widest circle in it is a column."""
@@ -84,15 +84,15 @@ def find_axes(walls: Iterable) -> tuple:
     return tuple(Axis(wall_id, number, *piece) for number, (wall_id, piece) in enumerate(pieces, start=1))
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Piece:
-    """Chords that a curve follows, and the nodes at its ends; None is where the wall ends."""
+    """A curve through the middles of chords, and the nodes at its ends; None is where the wall ends."""
 
     points: np.ndarray
     chords: np.ndarray
     curve: Union[Line, Arc]
-    start: Optional[int] = None
-    end: Optional[int] = None
+    start: Optional[int]
+    end: Optional[int]
 
 
 def _axes_of(outline: Polygon) -> list:
@@ -115,7 +115,7 @@ def _axes_of(outline: Polygon) -> list:
 
 
 def _pieces(chain: Chain, nodes: dict) -> list:
-    """Cut a chain into lines and arcs, with a new node between each two."""
+    """Cut a chain into lines and arcs, and note the new node between each two."""
     chain = _without_fans(chain)
     if chain.length < SHORT * chain.width or len(chain.middles) < 3:
         return []
@@ -123,12 +123,12 @@ def _pieces(chain: Chain, nodes: dict) -> list:
     runs = _adjusted(chain.middles, _runs(chain.middles, tolerance, chain.width))
     longest = max(runs, key=lambda run: _length(chain.middles, run))
     runs = [run for run in runs if _length(chain.middles, run) >= SHORT * chain.width] or [longest]
-    pieces = [_piece(chain, run, tolerance) for run in runs]
-    for one, other in zip(pieces, pieces[1:]):
-        one.end = other.start = max(nodes, default=-1) + 1
-        nodes[one.end] = (one.points[-1] + other.points[0]) / 2
-    pieces[0].start, pieces[-1].end = chain.start, chain.end
-    return pieces
+    fitted = [_fitted(chain, run, tolerance) for run in runs]
+    between = range(len(nodes), len(nodes) + len(fitted) - 1)
+    for node, (before, *_), (after, *_) in zip(between, fitted, fitted[1:]):
+        nodes[node] = (before[-1] + after[0]) / 2
+    ends = (chain.start, *between, chain.end)
+    return [_Piece(*parts, *pair) for parts, pair in zip(fitted, zip(ends, ends[1:]))]
 
 
 def _without_fans(chain: Chain) -> Chain:
@@ -196,8 +196,11 @@ def _adjusted(points: np.ndarray, runs: list) -> list:
     return runs
 
 
-def _piece(chain: Chain, run: tuple, tolerance: float) -> _Piece:
-    """Fit a curve to a run, but for half a thickness at each end, where a wall meets others or ends."""
+def _fitted(chain: Chain, run: tuple, tolerance: float) -> tuple:
+    """Return the middles and chords of a run, and the curve through them.
+
+    Half a thickness at each end, where the wall meets others or ends, has no say.
+    """
     start, stop, fit = run
     points = chain.middles[start:stop]
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
@@ -208,7 +211,7 @@ def _piece(chain: Chain, run: tuple, tolerance: float) -> _Piece:
     points, curve = points[core], fit_line(points[core])
     if curve.distances(points).max() > tolerance:
         curve = fit(points) or curve
-    return _Piece(points, chain.chords[start:stop][core], curve)
+    return points, chain.chords[start:stop][core], curve
 
 
 def _meeting(where: np.ndarray, curves: Sequence) -> np.ndarray:

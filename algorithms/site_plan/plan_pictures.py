@@ -15,8 +15,8 @@ from .gate import Gate
 from .plan import SitePlan
 from .regions import Selection
 
-MARGIN = 2.0
-"""Metres shown around what may be wall."""
+MARGIN = 0.1
+"""Share of what may be wall that is shown around it."""
 
 LARGEST, THUMBNAIL = 1200, 300
 """Most pixels of a raster that a picture is wide or high; blocks of more become one."""
@@ -70,19 +70,18 @@ class View:
     @classmethod
     def around(cls, pixels: np.ndarray, transform: Affine) -> "View":
         """Return the view of the pixels that are set, with a margin."""
-        margin = round(MARGIN / transform.a)
-        spans = []
-        for axis in (0, 1):
-            places = np.flatnonzero(pixels.any(axis=1 - axis))
-            spans.append(slice(max(places[0] - margin, 0), min(places[-1] + 1 + margin, pixels.shape[axis])))
-        rows, columns = spans
+        places = [np.flatnonzero(pixels.any(axis=1 - axis)) for axis in (0, 1)]
+        margin = round(MARGIN * max(np.ptp(found) + 1 for found in places))
+        rows, columns = (
+            slice(max(found[0] - margin, 0), min(found[-1] + 1 + margin, size))
+            for found, size in zip(places, pixels.shape)
+        )
         corners = np.array([transform * (columns.start, rows.start), transform * (columns.stop, rows.stop)])
         return cls(rows, columns, Map.around(corners), corners)
 
-    def part(self, values: np.ndarray, largest: int = LARGEST) -> np.ndarray:
-        """Return the part of an array that is shown, shrunk to at most so many pixels."""
-        shown = values[self.rows, self.columns]
-        return shrunk(shown, max(1, -(-max(shown.shape) // largest)))
+    def part(self, values: np.ndarray) -> np.ndarray:
+        """Return the part of an array that is shown."""
+        return values[self.rows, self.columns]
 
     def sheet(self, rgb: np.ndarray, *parts: Markup) -> Markup:
         """Return a map over a picture of the part."""
@@ -115,13 +114,15 @@ def _rings(outline: Polygon) -> tuple:
 
 
 def fates(
-    plan: SitePlan, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
+    plan: SitePlan, view: View, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
 ) -> np.ndarray:
-    """Tell what became of each pixel, as `Fate`; uint8, shape (rows, columns).
+    """Tell what became of each pixel that is shown, as `Fate`; uint8.
 
     Parameters
     ----------
     plan : SitePlan
+    view : View
+        The part to show.
     gate : Gate
         With which the plan was made.
     held : ndarray of bool, shape (rows, columns)
@@ -129,25 +130,41 @@ def fates(
     small, misshapen : ndarray of bool, shape (rows, columns)
         Pixels that belonged, at any threshold, to a region removed by area or by shape.
     """
-    found = plan.image
+    found, held = plan.image, view.part(held)
+    low = ~view.part(gate.tall) & ~view.part(gate.flat)
     rules = {
-        Fate.WALL: found.votes > 0,
-        Fate.CLOSED: found.walls,
-        Fate.MISSHAPEN: misshapen,
-        Fate.SMALL: small,
-        Fate.FAINT: found.gated > 0,
-        Fate.LOW: held & ~gate.tall & ~gate.flat,
+        Fate.WALL: view.part(found.votes) > 0,
+        Fate.CLOSED: view.part(found.walls),
+        Fate.MISSHAPEN: view.part(misshapen),
+        Fate.SMALL: view.part(small),
+        Fate.FAINT: view.part(found.gated) > 0,
+        Fate.LOW: held & low,
         Fate.SURFACE: held,
     }
+    return _numbered(rules)
+
+
+def fates_at(selection: Selection, view: View) -> np.ndarray:
+    """Tell what became of the pixels above one threshold that are shown."""
+    return _numbered(
+        {
+            Fate.WALL: view.part(selection.kept),
+            Fate.MISSHAPEN: view.part(selection.misshapen),
+            Fate.SMALL: view.part(selection.small),
+        }
+    )
+
+
+def _numbered(rules: dict) -> np.ndarray:
+    """Return the number of the first rule that holds."""
     return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
 
 
-def coloured(fate: np.ndarray) -> np.ndarray:
-    """Return the colours of pixels; uint8, shape (rows, columns, 3)."""
-    return np.array([COLOURS[kind] for kind in Fate], np.uint8)[fate]
+def coloured(fate: np.ndarray, largest: int = LARGEST) -> np.ndarray:
+    """Return the colours of pixels, in a picture at most so many pixels wide and high."""
+    return np.array([COLOURS[kind] for kind in Fate], np.uint8)[fitted(fate, largest)]
 
 
-def fates_at(selection: Selection) -> np.ndarray:
-    """Tell what became of the pixels above one threshold."""
-    rules = {Fate.WALL: selection.kept, Fate.MISSHAPEN: selection.misshapen, Fate.SMALL: selection.small}
-    return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
+def fitted(values: np.ndarray, largest: int = LARGEST) -> np.ndarray:
+    """Return the largest values of blocks of pixels, so that at most so many are left in a row or column."""
+    return shrunk(values, max(1, -(-max(values.shape) // largest)))

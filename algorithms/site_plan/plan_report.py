@@ -13,7 +13,7 @@ from .density import DensityImage
 from .extraction import select_by_threshold
 from .gate import Gate, make_gate
 from .plan import SitePlan
-from .plan_pictures import COLOURS, FACE, ROOM, THUMBNAIL, Fate, View, coloured, fates, fates_at
+from .plan_pictures import COLOURS, FACE, ROOM, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
 from .rooms import Room
 from .thresholds import surface_rule
 
@@ -104,7 +104,7 @@ def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
         steps.rows.append((values[i], *counts))
         if i in shown:
             kept = counts[0] - counts[1] - counts[2]
-            picture = embedded(coloured(view.part(fates_at(selection), THUMBNAIL)))
+            picture = embedded(coloured(fates_at(selection, view), THUMBNAIL))
             steps.pictures.append((f"{values[i]:.2f}: {kept} of {counts[0]} regions kept", picture))
     return steps
 
@@ -121,7 +121,7 @@ def _final(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room
 
 def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
     held = image.density[np.isfinite(image.density)]
-    return grey(view.part(image.density), paler * float(held.mean() + 2 * held.std()))
+    return grey(fitted(view.part(image.density)), paler * float(held.mean() + 2 * held.std()))
 
 
 def _density(image: DensityImage, view: View) -> Markup:
@@ -134,7 +134,7 @@ def _density(image: DensityImage, view: View) -> Markup:
 
 
 def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps: _Steps) -> tuple:
-    fate = fates(plan, gate, np.isfinite(image.density), steps.small, steps.misshapen)
+    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
     area = np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2
     found = plan.image
     regions, small, misshapen = (sum(column) for column in list(zip(*steps.rows))[1:])
@@ -171,7 +171,7 @@ def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps:
     listed = [(_swatch(kind), what, number(float(area[kind]), 2), turn) for kind, what, turn in rows]
     return (
         figure(
-            view.sheet(coloured(view.part(fate))),
+            view.sheet(coloured(fate)),
             "Each pixel by the last criterion that it met. Look for a missing wall, read its colour, and "
             "turn the parameter beside that colour.",
         ),

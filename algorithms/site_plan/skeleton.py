@@ -8,7 +8,7 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from .grid import label_linked
-from .mesh import triangulate
+from .mesh import Mesh, triangulate
 
 STUB = 1.0
 """What stands out from a wall less than this share of its own width is a corner or rubble, not a wall."""
@@ -71,8 +71,7 @@ def skeleton_of(outline: Polygon) -> Skeleton:
     triangle with three chords is a junction; a branch that hardly stands out is none.
     """
     mesh = triangulate([outline])
-    sides = mesh.sides(mesh.wall)
-    graph = _Graph(sides.first, sides.second, sides.ends, mesh.points, mesh.triangles)
+    graph = _Graph(mesh)
     graph.prune()
     centres = mesh.points[mesh.triangles].mean(axis=1)
     chains = [graph.chain(walk) for walk in graph.walks()]
@@ -80,32 +79,37 @@ def skeleton_of(outline: Polygon) -> Skeleton:
 
 
 class _Graph:
-    """Triangles, linked over their common sides."""
+    """The triangles inside a wall, linked over their common sides."""
 
-    def __init__(self, first, second, ends, points, triangles) -> None:
-        self.ends, self.points, self.triangles = ends, points, triangles
-        self.links = {}
-        for side, (a, b) in enumerate(zip(first.tolist(), second.tolist())):
+    def __init__(self, mesh: Mesh) -> None:
+        sides = mesh.sides(mesh.wall)
+        self.ends, self.points, self.triangles = sides.ends, mesh.points, mesh.triangles
+        # The side to each neighbour, by triangle; and the triangles pruned, by the junction they hung on.
+        self.links, self.lost = {}, {}
+        for side, (a, b) in enumerate(zip(sides.first.tolist(), sides.second.tolist())):
             self.links.setdefault(a, {})[b] = side
             self.links.setdefault(b, {})[a] = side
-        self.lost = {}
 
     def prune(self) -> None:
-        """Remove the branches that stand out less than their width, from each junction one at a time."""
+        """Remove the branches that stand out less than their width, one at each junction at a time."""
         while True:
-            worst = {}
+            least = {}
             for branch in self._branches():
                 share = self._protrusion(branch)
-                if share < STUB and share < worst.get(branch[-1], (STUB,))[0]:
-                    worst[branch[-1]] = (share, branch)
-            if not worst:
+                if share < least.get(branch[-1], (STUB,))[0]:
+                    least[branch[-1]] = (share, branch)
+            if not least:
                 return
-            for junction, (_, branch) in worst.items():
-                gone = self.lost.setdefault(junction, [])
-                for triangle in branch[:-1]:
-                    gone += [triangle, *self.lost.pop(triangle, [])]
-                    for other in self.links.pop(triangle):
-                        self.links.get(other, {}).pop(triangle, None)
+            for _, branch in least.values():
+                self._remove(branch)
+
+    def _remove(self, branch: list) -> None:
+        *triangles, junction = branch
+        gone = self.lost.setdefault(junction, [])
+        for triangle in triangles:
+            gone += [triangle, *self.lost.pop(triangle, [])]
+            del self.links[triangle]
+        del self.links[junction][triangles[-1]]
 
     def _branches(self) -> Iterator[list]:
         """Yield the triangles from each end of the wall up to and with a junction."""
@@ -149,13 +153,14 @@ class _Graph:
 
     def chain(self, walk: list) -> Chain:
         """Return the chords between the triangles of a walk; a ring begins at its farthest corner."""
+        ring = walk[0] == walk[-1] and len(self.links[walk[0]]) == 2
+        if ring:
+            places = self.points[self.triangles[walk[:-1]]].mean(axis=1)
+            first = int(np.argmax(np.linalg.norm(places - places.mean(axis=0), axis=1)))
+            walk = [*walk[first:-1], *walk[:first], walk[first]]
         ends = self.points[self.ends[[self.links[a][b] for a, b in zip(walk, walk[1:])]]]
         middles, chords = ends.mean(axis=1), ends[:, 1] - ends[:, 0]
-        start, end = (t if len(self.links[t]) == 3 else None for t in (walk[0], walk[-1]))
-        if walk[0] == walk[-1] and start is None:
-            first = int(np.argmax(np.linalg.norm(middles - middles.mean(axis=0), axis=1)))
-            middles, chords = np.roll(middles, -first, axis=0), np.roll(chords, -first, axis=0)
-            start = end = walk[0]
+        start, end = (t if ring or len(self.links[t]) == 3 else None for t in (walk[0], walk[-1]))
         return Chain(middles, chords, start, end)
 
 

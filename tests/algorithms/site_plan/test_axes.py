@@ -77,7 +77,7 @@ def test_a_round_wall_has_a_radius():
     assert half.length == pytest.approx(4 * np.pi, rel=0.01)
     assert half.azimuth is None
     (tower,) = axes_of(ring)
-    assert tower.length == pytest.approx(8 * np.pi, rel=0.01)
+    assert tower.length == pytest.approx(8 * np.pi, rel=0.002)
     assert tower.line.is_closed
 
 

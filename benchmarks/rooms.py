@@ -1,0 +1,73 @@
+"""How well the rooms between walls are found in simulated scans.
+
+make rooms, or: python3 -m ichnograph.benchmarks.rooms [--angular-step 0.2] [--seeds 3]
+
+Prints the largest errors of areas over all seeds: between the true walls, and between those of the plan.
+"""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+from ichnograph.algorithms.site_plan.rooms import find_rooms
+from ichnograph.tests.scenes import SCENES
+from ichnograph.tests.scenes.__main__ import write_laz
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+
+from .accuracy import PLACE
+from .chain import run_chain
+
+NAMES = ("interior", "rooms")
+"""Scenes whose walls close rooms from all sides, but for doors."""
+
+
+def true_rooms(scene) -> list[Polygon]:
+    """Return the spaces between the walls of a scene with its doors walled up."""
+    solid = [prism.footprint for prism in scene.prisms if prism.material in ("wall", "lintel")]
+    filled = unary_union([scene.pose.geometry(part).buffer(1e-6, join_style=2) for part in solid])
+    return [Polygon(ring) for ring in filled.interiors]
+
+
+def errors(found: tuple, true: list[Polygon]) -> list[float]:
+    """Return the error of the area of each true room, as a share of it; nan if no room is there."""
+    rooms = [
+        next((room for room in found if room.outline.contains(space.representative_point())), None)
+        for space in true
+    ]
+    return [room.area / space.area - 1 if room else np.nan for room, space in zip(rooms, true)]
+
+
+def measure(name: str, angular_step: float, seeds: int, folder: Path) -> str:
+    """Return a row of the table."""
+    folder.mkdir(parents=True, exist_ok=True)
+    ideal, real, surplus = [], [], 0
+    for seed in range(seeds):
+        scene = SCENES[name](seed).moved(*PLACE)
+        true = true_rooms(scene)
+        ideal += errors(find_rooms(scene.truth.geoms), true)
+        write_laz(folder / "scan.laz", scene.scan(angular_step, seed=seed), slice(None), "EPSG:25833")
+        plan = run_chain([folder / "scan.laz"], folder, f"{name}_{seed}").plan
+        found = find_rooms(wall.outline for wall in plan.walls)
+        real += errors(found, true)
+        surplus += len(found) - len(true)
+    worst = [100 * np.nanmax(np.abs(values)) for values in (ideal, real)]
+    missed = int(np.isnan(real).sum())
+    return f"| {name} | {len(real)} | {missed} | {surplus + missed} | {worst[0]:.4f} | {worst[1]:.1f} |"
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--angular-step", type=float, default=0.2, help="of the scanner, degrees")
+    parser.add_argument("--seeds", type=int, default=3, help="so many scenes of each kind")
+    parser.add_argument("--folder", type=Path, default=Path("build/rooms"))
+    arguments = parser.parse_args()
+    print("| scene | rooms | missed | surplus | true walls: area error (%) | plan: area error (%) |")
+    print("|---|---|---|---|---|---|")
+    for name in NAMES:
+        print(measure(name, arguments.angular_step, arguments.seeds, arguments.folder), flush=True)
+
+
+if __name__ == "__main__":
+    main()
