@@ -17,7 +17,7 @@ WIDER = 1.1
 """How many times as wide as the narrowest place that end may be."""
 
 FLAT = 1e-5
-"""How far a corner may lie off the line between its neighbours and be none, in metres."""
+"""How far corners that are left out may lie off the line between others, in metres."""
 
 
 def trim(room: Polygon, gaps: np.ndarray) -> Polygon:
@@ -49,11 +49,13 @@ def trim(room: Polygon, gaps: np.ndarray) -> Polygon:
 
 
 def _without_flat_corners(ring: np.ndarray, gaps: np.ndarray) -> np.ndarray:
-    before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
-    (x, y), (u, v) = (after - before).T, (ring - before).T
-    off = np.abs(x * v - y * u) / np.maximum(np.hypot(x, y), FLAT)
-    ends = (ring[:, None] == gaps.reshape(-1, 2)).all(axis=2).any(axis=1)
-    return ring[(off > FLAT) | ends]
+    """Leave out the samples between corners, but for the ends of gaps."""
+    ends = np.flatnonzero((ring[:, None] == gaps.reshape(-1, 2)).all(axis=2).any(axis=1))
+    first = ends[0] if len(ends) else 0
+    closed = np.concatenate([ring[first:], ring[: first + 1]])
+    cuts = [*(ends - first if len(ends) else [0]), len(ring)]
+    parts = [LineString(closed[a : b + 1]).simplify(FLAT) for a, b in zip(cuts, cuts[1:])]
+    return np.concatenate([np.asarray(part.coords)[:-1] for part in parts])
 
 
 def _find(ring: np.ndarray, gap: np.ndarray) -> Optional[int]:
@@ -68,23 +70,22 @@ def _find(ring: np.ndarray, gap: np.ndarray) -> Optional[int]:
 def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
     """Move the side between the last and the first corner to where the passage opens into the room."""
     ahead, behind = _Jamb(ring), _Jamb(ring[::-1])
-    pairs = np.array(
-        [(s, t) for s in ahead.stations for t in behind.stations]
-        + [(s, behind.nearest(ahead.at(s))) for s in ahead.stations]
-        + [(ahead.nearest(behind.at(t)), t) for t in behind.stations]
-    )
-    widths = np.array([np.linalg.norm(ahead.at(s) - behind.at(t)) for s, t in pairs])
+    corners = np.stack(np.meshgrid(ahead.stations, behind.stations), axis=-1).reshape(-1, 2)
+    opposite = np.column_stack([ahead.stations, behind.nearest(ahead.at(ahead.stations))])
+    other = np.column_stack([ahead.nearest(behind.at(behind.stations)), behind.stations])
+    pairs = np.concatenate([corners, opposite, other])
+    ends = np.stack([ahead.at(pairs[:, 0]), behind.at(pairs[:, 1])], axis=1)
+    widths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
     narrowest = np.linalg.norm(ring[0] - ring[-1])
     gain = pairs.mean(axis=1) - LOSS * np.maximum(widths - narrowest, 0)
     gain[widths > WIDER * narrowest] = 0
     clear = prep(room.buffer(FLAT, join_style=2))
     for best in np.argsort(-gain, kind="stable"):
-        s, t = pairs[best]
         if gain[best] <= FLAT:
             break
-        kept = ring[ahead.passed(s) : len(ring) - behind.passed(t)]
-        if len(kept) and clear.contains(LineString([ahead.at(s), behind.at(t)])):
-            return np.concatenate([[ahead.at(s)], kept, [behind.at(t)]])
+        kept = ring[ahead.passed(pairs[best, 0]) : len(ring) - behind.passed(pairs[best, 1])]
+        if len(kept) and clear.contains(LineString(ends[best])):
+            return np.concatenate([ends[best, :1], kept, ends[best, 1:]])
     return ring
 
 
@@ -99,18 +100,19 @@ class _Jamb:
 
     def __init__(self, ring: np.ndarray) -> None:
         steps = np.linalg.norm(np.diff(ring, axis=0), axis=1)
-        along = np.concatenate([[0.0], np.cumsum(steps)])
-        reach = min(REACH, along[-1] / 2)
+        self.ring, self.along = ring, np.concatenate([[0.0], np.cumsum(steps)])
+        reach = min(REACH, self.along[-1] / 2)
         self.line = substring(LineString(ring), 0.0, reach)
-        self.all_stations = along
-        self.stations = along[along <= reach]
+        self.stations = self.along[self.along <= reach]
 
-    def at(self, station: float) -> np.ndarray:
-        return np.array(self.line.interpolate(station).coords[0])
+    def at(self, stations: np.ndarray) -> np.ndarray:
+        """Return the points at stations, shape (n, 2)."""
+        return np.column_stack([np.interp(stations, self.along, axis) for axis in self.ring.T])
 
-    def nearest(self, point: np.ndarray) -> float:
-        return self.line.project(Point(point))
+    def nearest(self, points: np.ndarray) -> np.ndarray:
+        """Return the stations nearest to points, shape (n, 2)."""
+        return np.array([self.line.project(Point(point)) for point in points])
 
     def passed(self, station: float) -> int:
         """Return how many corners lie up to a station."""
-        return int(np.searchsorted(self.all_stations, station + FLAT, side="right"))
+        return int(np.searchsorted(self.along, station + FLAT, side="right"))

@@ -116,8 +116,9 @@ def test_a_broken_corner_is_closed_from_end_to_end():
     assert room.area == pytest.approx(24.0 - 0.6 * 0.6 / 2, rel=2e-3)
 
 
-def test_a_round_room_keeps_its_curve():
-    tower = Point(0, 0).buffer(3.5, 64).difference(Point(0, 0).buffer(3.0, 64))
+@pytest.mark.parametrize("corners", [64, 2000])
+def test_a_round_room_keeps_its_curve(corners):
+    tower = Point(0, 0).buffer(3.5, corners).difference(Point(0, 0).buffer(3.0, corners))
     (room,) = find_rooms([tower.difference(box(2, -0.45, 4, 0.45))])
     assert room.area == pytest.approx(np.pi * 9, rel=2e-3)
     assert room.openings == 1
