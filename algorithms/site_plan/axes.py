@@ -29,6 +29,9 @@ COMPACT = 1.5
 FAN = 1.02
 """Towards the corner in which a skeleton ends, each chord is longer than so many times the next."""
 
+ONE_FACE = 0.03
+"""An outline narrower than this, in metres, is a face seen from one side: the thickness is unknown."""
+
 LOOSE = 1e-2
 """Weight of where a junction was found against where the axes meet."""
 
@@ -46,8 +49,9 @@ class Axis:
         Of the wall; of the piece, from 1.
     line : LineString
         World coordinates; pieces that meet share their ends.
-    thickness, thick_sd : float
-        Median width of the outline across the piece, and its standard deviation, metres.
+    thickness, thick_sd : float or None
+        Median width of the outline across the piece, and its standard deviation, metres; None if only one
+        face was seen.
     azimuth : float or None
         Direction of a straight piece, degrees clockwise from grid north, 0..180.
     radius : float or None
@@ -57,8 +61,8 @@ class Axis:
     wall_id: int
     axis_id: int
     line: LineString
-    thickness: float
-    thick_sd: float
+    thickness: Optional[float]
+    thick_sd: Optional[float]
     azimuth: Optional[float]
     radius: Optional[float]
 
@@ -255,7 +259,8 @@ def _wall_end(curve: Union[Line, Arc], points: np.ndarray, outline: Polygon) -> 
 def _thickness(piece: _Piece) -> tuple:
     normals = np.array([piece.curve.normal(point) for point in piece.points])
     across = np.abs((piece.chords * normals).sum(axis=1))
-    return float(np.median(across)), float(np.std(across))
+    thickness = float(np.median(across))
+    return (None, None) if thickness < ONE_FACE else (thickness, float(np.std(across)))
 
 
 def _azimuth(curve: Union[Line, Arc]) -> Optional[float]:

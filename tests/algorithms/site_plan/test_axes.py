@@ -34,6 +34,13 @@ def test_the_axis_of_a_wall_runs_from_end_to_end():
     assert axis.radius is None
 
 
+def test_the_thickness_of_a_wall_seen_from_one_side_is_not_known():
+    strip = wall((0, 0), (5, 0), (5, 4), thickness=0.01)
+    axes = axes_of(strip)
+    assert ends(axes) == {(0, 0), (5, 0), (5, 4)}
+    assert {(axis.thickness, axis.thick_sd) for axis in axes} == {(None, None)}
+
+
 def test_pieces_meet_in_a_corner_each_with_its_own_thickness():
     outline = unary_union([box(0, 0, 6, 0.6), box(0, 0, 0.2, 5)])
     axes = axes_of(outline)
