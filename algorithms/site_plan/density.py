@@ -18,6 +18,8 @@ from ..clouds.thinning import thin_tiles, tile_edge
 from ..clouds.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
 from ..errors import InputError
 from ..progress import Progress
+from .ceiling import hanging_height
+from .foliage import PARTS, scatter, spread_of
 from .gate import Heights
 from .grid import Grid, make_grid, site_tiles
 from .ground import CELL, LowestSurface, at_pixels, ground_surface
@@ -29,6 +31,9 @@ BIN = 0.1
 """Height of the bins that are occupied or not, in metres."""
 
 BINS = round((WINDOW[1] - WINDOW[0]) / BIN)
+
+ALL_BINS = 64
+"""Number of bins that are noted: up to 6.7 m above the local ground, for the ceiling."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,10 @@ class DensityImage:
         Height of the lowest and the highest point in metres; nan where the pixel holds none.
     ground : ndarray
         Height of the local ground in metres.
+    spread : ndarray
+        Share of the pixel over which the points in `WINDOW` are spread; nan where they are few.
+    hanging : ndarray
+        Height in metres that points fill right below a ceiling; nan where there is none.
     transform : Affine
         From (column, row) to world coordinates.
     crs : CRS or None
@@ -58,6 +67,8 @@ class DensityImage:
     base: np.ndarray
     top: np.ndarray
     ground: np.ndarray
+    spread: np.ndarray
+    hanging: np.ndarray
     transform: Affine
     crs: CRS
     points_in: int
@@ -67,7 +78,7 @@ class DensityImage:
     @property
     def heights(self) -> Heights:
         """The bands that tell heights."""
-        return Heights(self.occupied, self.base, self.top, self.ground)
+        return Heights(self.occupied, self.base, self.top, self.ground, self.spread, self.hanging)
 
 
 def density_image(
@@ -157,16 +168,19 @@ class _Layers:
         self.grid = grid
         self.ground = ground
         self.density = np.zeros(grid.shape)
-        self.bits = np.zeros(grid.shape, np.uint32)
+        self.bits = np.zeros(grid.shape, np.uint64)
+        self.parts = np.zeros((grid.height * PARTS, grid.width * PARTS), np.uint8)
         self.base = np.full(grid.shape, np.inf, np.float32)
         self.top = np.full(grid.shape, -np.inf, np.float32)
 
     def add(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
         """Spread the kept points of a tile, and note the heights of all."""
         x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
-        _spread(self.density, tile.xyz[kept], x0, y0, self.grid.step, neighbourhood)
+        chosen = tile.xyz[kept]
+        _spread(self.density, chosen, x0, y0, self.grid.step, neighbourhood)
+        scatter(self.parts, self.ground, chosen, x0, y0, self.grid.step, LATTICE, *WINDOW)
         heights = (self.ground, self.bits, self.base, self.top)
-        _stack(*heights, tile.xyz, x0, y0, self.grid.step, LATTICE, *WINDOW, BIN)
+        _stack(*heights, tile.xyz, x0, y0, self.grid.step, LATTICE, WINDOW[0], ALL_BINS, BIN)
 
 
 @njit(nogil=True, cache=True)
@@ -192,28 +206,29 @@ def _spread(density, xyz, x0, y0, step, neighbourhood):
 
 
 @njit(nogil=True, cache=True)
-def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, high, bin_height):
+def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, bins, bin_height):
     """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
     for i in range(len(xyz)):
         column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
         z = xyz[i, 2] * lattice
         base[row, column] = min(base[row, column], z)
         top[row, column] = max(top[row, column], z)
-        height = z - ground[row, column]
-        if low <= height < high:
-            bits[row, column] |= np.uint32(1) << np.uint32((height - low) / bin_height)
+        level = (z - ground[row, column] - low) / bin_height
+        if 0 <= level < bins:
+            bits[row, column] |= np.uint64(1) << np.uint64(level)
 
 
 def _occupied_bins(bits: np.ndarray) -> np.ndarray:
-    """Count the bins that hold a point, and the single or paired empty ones between two that do.
+    """Count the bins of `WINDOW` that hold a point, and the one or two empty ones between two that do.
 
     A distant wall is hit by scan lines farther apart than a bin is high.
     """
-    one, two = np.uint32(1), np.uint32(2)
+    one, two = np.uint64(1), np.uint64(2)
+    bits = bits & np.uint64((1 << BINS) - 1)
     between = (bits << one) & (bits >> one)
     between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
     bits = bits | between
-    return sum((bits >> np.uint32(k)) & one for k in range(BINS))
+    return sum((bits >> np.uint64(k)) & one for k in range(BINS))
 
 
 def _image(layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple) -> DensityImage:
@@ -223,12 +238,16 @@ def _image(layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warni
         return np.where(valid, band, np.nan).astype(np.float32)[::-1]
 
     held = np.isfinite(layers.base)
+    pixel_size = layers.grid.step * LATTICE
+    hanging = hanging_height(layers.bits, held, WINDOW[0], BIN, pixel_size)
     return DensityImage(
         density=top_down(layers.density, layers.density > 0),
         occupied=top_down(counts * BIN, layers.density > 0),
         base=top_down(layers.base, held),
         top=top_down(layers.top, held),
         ground=layers.ground[::-1].astype(np.float32),
+        spread=spread_of(layers.parts)[::-1],
+        hanging=hanging[::-1],
         transform=layers.grid.transform,
         crs=crs,
         points_in=points_in,

@@ -1,7 +1,8 @@
-"""What the heights in a density raster tell: where a wall may stand, and where the ground was seen.
+"""What the heights in a density raster tell: where a wall may stand, and where none can.
 
 A wall fills its column from the ground up without gaps. Density alone cannot see that: ceiling beams, slab
-edges and crowns are as dense as walls. The occupied height can.
+edges and crowns are as dense as walls. The occupied height can. Foliage fills its columns too, but in all of
+a body, not in a sheet; and furniture ends below the ceiling that the walls beside it reach.
 """
 
 from dataclasses import dataclass
@@ -26,14 +27,49 @@ FLOOR_WIDTH, FLOOR_SHARE = 1.0, 0.2
 """Nor does it show a floor: squares of this width (m) that cover this share of the pixels with points."""
 
 
+SHEET = 0.5
+"""Share of a pixel up to which points are spread that stand above one another; of walls, 0.2 to 0.4."""
+
+BODY = 0.3
+"""Foliage is at least this thick (m) each way; the rubble face of a wall is not as rough."""
+
+REACHES = 0.2
+"""What fills this height (m) right below a ceiling reaches it: two bins, as one may be the ceiling itself."""
+
+BEHIND = 0.5
+"""Height (m) that a wall fills below the ceiling where furniture hides it; a beam is lower."""
+
+ROOM_GAP = 0.5
+"""Ceilings up to this far apart (m), as on both sides of a beam, are of one room."""
+
+
+NOT_TOLD = (
+    "The raster has no bands of spread and hanging height, so vegetation and furniture are not told from "
+    "walls; make it anew with 'densityimage'."
+)
+
+
 @dataclass(frozen=True)
 class Heights:
-    """The bands of a density raster that tell heights; float, shape (rows, columns), metres."""
+    """The bands of a density raster that tell heights; float, shape (rows, columns).
+
+    Attributes
+    ----------
+    occupied, base, top, ground : ndarray
+        Metres.
+    spread : ndarray or None
+        Share of the pixel over which its points are spread, 0 to 1; nan where they are few. None in
+        rasters of older versions.
+    hanging : ndarray or None
+        Height filled right below a ceiling, metres; nan where there is none. None as well.
+    """
 
     occupied: np.ndarray
     base: np.ndarray
     top: np.ndarray
     ground: np.ndarray
+    spread: Optional[np.ndarray] = None
+    hanging: Optional[np.ndarray] = None
 
 
 @dataclass(frozen=True)
@@ -49,7 +85,7 @@ class Gate:
     column : ndarray of bool or None
         Pixels filled to a column's height; None if that is not known.
     open_ground : ndarray of bool or None
-        Pixels in which the ground was seen; None if that is not known.
+        Pixels in which the ground was seen, or what is no wall; None if that is not known.
     warnings : tuple of str
     """
 
@@ -95,7 +131,39 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     if min_height == 0:
         return Gate(held, flat, None, None, ())
     low = np.nan_to_num(heights.base - heights.ground, nan=np.inf) <= GROUND_STEP
-    return Gate(held & (occupied >= min_height), flat, occupied >= COLUMN_HEIGHT, low, ())
+    rises = held & (occupied >= min_height)
+    column = occupied >= COLUMN_HEIGHT
+    if heights.spread is None or heights.hanging is None:
+        return Gate(rises, flat & ~rises, column, low, (NOT_TOLD,))
+    foliage = _foliage(heights, occupied, min_height, pixel_size)
+    room = _rooms(heights, rises, pixel_size)
+    free = room & (heights.hanging < REACHES)
+    behind = held & room & (heights.hanging >= BEHIND) & ~low
+    tall = (rises & ~foliage & ~free) | behind
+    return Gate(tall, flat & ~tall, column, low | foliage | free, ())
+
+
+def _foliage(heights: Heights, occupied: np.ndarray, min_height: float, pixel_size: float) -> np.ndarray:
+    """Tell bodies whose points are spread all over, with their ragged rims."""
+    loose = (occupied >= min_height / 2) & ~(heights.spread <= SHEET)
+    body = ndimage.binary_opening(loose, np.ones((max(round(BODY / pixel_size), 2),) * 2))
+    return ndimage.binary_dilation(body, np.ones((3, 3)), 2, mask=loose)
+
+
+def _rooms(heights: Heights, rises: np.ndarray, pixel_size: float) -> np.ndarray:
+    """Tell where a ceiling was seen that most of what rises below it reaches.
+
+    It is not so below the roof over an excavation, whose walls are no furniture.
+    """
+    covered = np.isfinite(heights.hanging)
+    reach = 2 * max(round(ROOM_GAP / 2 / pixel_size), 1) + 1
+    labels, count = ndimage.label(ndimage.maximum_filter(covered, reach), np.ones((3, 3)))
+    labels[~covered] = 0
+    risen = np.bincount(labels[rises], minlength=count + 1)
+    reaching = np.bincount(labels[rises & (heights.hanging >= REACHES)], minlength=count + 1)
+    rooms = 2 * reaching >= risen
+    rooms[0] = False
+    return rooms[labels]
 
 
 def _is_slice(held: np.ndarray, heights: Heights, pixel_size: float) -> bool:

@@ -117,8 +117,8 @@ def ground_surface(surface: LowestSurface) -> np.ndarray:
     usual = ndimage.percentile_filter(filled, 10, size=7, mode="nearest")
     sound = seen & (filled > usual - PIT)
     heights = np.where(sound, surface.height, np.nan)
-    surfaces = _surfaces(heights)
-    ground = _wide_parts(surfaces, _is_smooth(heights) & surface.clear)
+    surfaces = surfaces_of(heights, STEEPEST * CELL)
+    ground = wide_parts(surfaces, _is_smooth(heights) & surface.clear, PATCH)
     if not ground.any():
         ground = surfaces == np.bincount(surfaces[sound]).argmax()
     nearest = ndimage.distance_transform_edt(~ground, return_distances=False, return_indices=True)
@@ -126,15 +126,15 @@ def ground_surface(surface: LowestSurface) -> np.ndarray:
     return np.where(sound, np.fmin(heights, beside), beside)
 
 
-def _surfaces(surface: np.ndarray) -> np.ndarray:
-    """Label the cells that pass into one another, from 1; cells without a height are 0."""
+def surfaces_of(surface: np.ndarray, step: float) -> np.ndarray:
+    """Label the cells that pass into one another without a higher step; cells without a height are 0."""
     number = np.arange(surface.size).reshape(surface.shape)
     first, second = [], []
     for one, other in (
         ((slice(None), slice(1, None)), (slice(None), slice(-1))),
         ((slice(1, None),), (slice(-1),)),
     ):
-        linked = np.abs(surface[one] - surface[other]) <= STEEPEST * CELL
+        linked = np.abs(surface[one] - surface[other]) <= step
         first.append(number[one][linked])
         second.append(number[other][linked])
     labels = label_linked(np.concatenate(first), np.concatenate(second), surface.size) + 1
@@ -151,10 +151,10 @@ def _is_smooth(surface: np.ndarray) -> np.ndarray:
     return smooth
 
 
-def _wide_parts(labels: np.ndarray, smooth: np.ndarray) -> np.ndarray:
-    """Tell the cells of surfaces that hold a smooth square of `PATCH` cells."""
-    low = ndimage.minimum_filter(np.where(smooth, labels, 0), PATCH, mode="constant", cval=0)
-    high = ndimage.maximum_filter(labels, PATCH, mode="constant", cval=0)
+def wide_parts(labels: np.ndarray, smooth: np.ndarray, patch: int) -> np.ndarray:
+    """Tell the cells of surfaces that hold a smooth square of `patch` cells."""
+    low = ndimage.minimum_filter(np.where(smooth, labels, 0), patch, mode="constant", cval=0)
+    high = ndimage.maximum_filter(labels, patch, mode="constant", cval=0)
     wide = np.unique(labels[(low == high) & (low > 0)])
     return np.isin(labels, wide)
 

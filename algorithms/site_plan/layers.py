@@ -17,8 +17,11 @@ from .density import DensityImage
 from .gate import Heights
 from .plan import SitePlan
 
-BANDS = ("density", "occupied height", "base", "top", "ground")
+BANDS = ("density", "occupied height", "base", "top", "ground", "spread", "hanging height")
 """Descriptions of the bands of a density raster."""
+
+OLDER_BANDS = 5
+"""Number of bands that a raster of the plugin has at least; the first versions wrote no more."""
 
 WALL_FIELDS = {
     "wall_id": "int",
@@ -61,7 +64,7 @@ class DensityRaster:
 
 def write_density(path: Path, image: DensityImage) -> None:
     """Write a density image as GeoTIFF with the bands `BANDS`."""
-    arrays = (image.density, image.occupied, image.base, image.top, image.ground)
+    arrays = (image.density, image.occupied, image.base, image.top, image.ground, image.spread, image.hanging)
     write_raster(path, dict(zip(BANDS, arrays)), image.transform, image.crs)
 
 
@@ -80,8 +83,8 @@ def read_density(path: Path) -> DensityRaster:
         with rasterio.open(path) as raster:
             bands = dict(zip(raster.descriptions, range(1, raster.count + 1)))
             _check_grid(path, raster)
-            if set(BANDS) <= set(bands):
-                arrays = [_filled(raster, bands[name]) for name in BANDS]
+            if set(BANDS[:OLDER_BANDS]) <= set(bands):
+                arrays = [_filled(raster, bands[name]) for name in BANDS if name in bands]
             else:
                 arrays = [_filled(raster, 1)]
             transform, crs = raster.transform, raster.crs
