@@ -2,6 +2,7 @@
 
 import numpy as np
 from numba import njit
+from scipy import ndimage
 
 from .ground import surfaces_of, wide_parts
 
@@ -18,7 +19,17 @@ CLEAR, CLUTTER = 5, 0.25
 """In this number of bins below a ceiling, at most this share of a cell is taken by walls and beams."""
 
 PATCH = 4
-"""A ceiling holds a level square of this many cells, 2 m; no crown is as flat."""
+"""A ceiling holds a level square of this many cells, 2 m."""
+
+TOLD = 0.6
+"""Least share of a ceiling's cells in which it is told; the others are beams and what they hide.
+A crown is as uneven below that it is told in half its cells at most."""
+
+REACH = 2
+"""Number of cells, a metre, beyond a ceiling that was told in which points as high are taken for it."""
+
+BEAM = 6
+"""Number of bins, more than half a metre, that a beam reaches below a ceiling at most."""
 
 GAP = 2
 """Number of empty bins that the scan lines on a distant wall leave between them."""
@@ -27,7 +38,7 @@ GAP = 2
 def hanging_height(
     bits: np.ndarray, held: np.ndarray, low: float, bin_height: float, pixel_size: float
 ) -> np.ndarray:
-    """Return the height that points fill right below the ceiling.
+    """Return the height that points fill right below the ceiling, or below the beam that hides it.
 
     Parameters
     ----------
@@ -43,30 +54,22 @@ def hanging_height(
     Returns
     -------
     ndarray of float32, shape (rows, columns)
-        Metres; nan where no ceiling is near, or no point is as high.
+        Metres; nan where there is no ceiling, and beside one where no point is as high.
     """
     side = max(round(CELL / pixel_size), 1)
     lowest = round((LOWEST - low) / bin_height)
     levels = _levels(bits, held, side, lowest, COVER, CLEAR, CLUTTER)
-    return _hanging(bits, _ceilings(levels), side, GAP) * np.float32(bin_height)
+    return _hanging(bits, held, _ceilings(levels), side, REACH, BEAM, GAP) * np.float32(bin_height)
 
 
 def _ceilings(levels: np.ndarray) -> np.ndarray:
-    """Keep the levels of surfaces that are wide; a beam, narrower than a cell, does not part them."""
-    known = np.where(levels >= 0, levels, np.nan)
-    around = np.pad(known, 1, constant_values=np.nan)
-    bridged = known
-    for one, other in (
-        (around[1:-1, :-2], around[1:-1, 2:]),
-        (around[:-2, 1:-1], around[2:, 1:-1]),
-        (around[:-2, :-2], around[2:, 2:]),
-        (around[:-2, 2:], around[2:, :-2]),
-    ):
-        level = np.isnan(bridged) & (np.abs(one - other) <= 1)
-        bridged = np.where(level, np.minimum(one, other), bridged)
-    surfaces = surfaces_of(bridged, 1)
-    wide = wide_parts(surfaces, surfaces > 0, PATCH) & (surfaces > 0)
-    return np.where(wide, bridged, -1).astype(np.int64)
+    """Keep the levels of wide surfaces; a beam, and what it hides, up to a metre, is passed over."""
+    closed = ndimage.grey_closing(np.pad(levels, 2, constant_values=-1), (3, 3))[2:-2, 2:-2]
+    surfaces = surfaces_of(np.where(closed >= 0, closed, np.nan), 1)
+    told = np.bincount(surfaces[np.abs(levels - closed) <= 1], minlength=surfaces.max() + 1)
+    even = told >= TOLD * np.bincount(surfaces.ravel(), minlength=len(told))
+    even[0] = False
+    return np.where(wide_parts(surfaces, even[surfaces], PATCH), closed, -1)
 
 
 @njit(nogil=True, cache=True)
@@ -97,30 +100,34 @@ def _levels(bits, held, side, lowest, cover, clear, clutter):
 
 
 @njit(nogil=True, cache=True)
-def _hanging(bits, levels, side, gap):
-    """Count the bins filled below the ceiling of each pixel's cell, or of a cell beside it."""
+def _hanging(bits, held, levels, side, reach, beam, gap):
+    """Count the bins filled below the ceiling of each pixel's cell, or of a cell near it."""
     out = np.full(bits.shape, np.nan, np.float32)
     for row in range(levels.shape[0]):
         for column in range(levels.shape[1]):
             level = levels[row, column]
             if level < 0:
-                level = _lowest_beside(levels, row, column)
+                level = _lowest_beside(levels, row, column, reach)
             if level < 0:
                 continue
             for r in range(row * side, min((row + 1) * side, bits.shape[0])):
                 for c in range(column * side, min((column + 1) * side, bits.shape[1])):
-                    word = bits[r, c]
-                    if (word >> np.uint64(level - 1)) & np.uint64(15):
-                        out[r, c] = _filled_below(word, level, gap)
+                    top = level + 2
+                    while top > level - beam and not (bits[r, c] >> np.uint64(top)) & np.uint64(1):
+                        top -= 1
+                    if top > level - beam:
+                        out[r, c] = _filled_below(bits[r, c], min(top, level), gap)
+                    elif levels[row, column] >= 0 and held[r, c]:
+                        out[r, c] = 0
     return out
 
 
 @njit(nogil=True, cache=True)
-def _lowest_beside(levels, row, column):
+def _lowest_beside(levels, row, column, reach):
     """Return the lowest of the levels around a cell; -1 if there is none."""
     lowest = -1
-    for r in range(max(row - 1, 0), min(row + 2, levels.shape[0])):
-        for c in range(max(column - 1, 0), min(column + 2, levels.shape[1])):
+    for r in range(max(row - reach, 0), min(row + reach + 1, levels.shape[0])):
+        for c in range(max(column - reach, 0), min(column + reach + 1, levels.shape[1])):
             if levels[r, c] >= 0 and (lowest < 0 or levels[r, c] < lowest):
                 lowest = levels[r, c]
     return lowest
