@@ -4,7 +4,13 @@ from functools import partial
 
 from .algorithm import Algorithm, Outcome
 from .cloud_parameters import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
-from .density_parameters import POINT_NUMBERS, compute_density, density_destination, point_numbers
+from .density_parameters import (
+    HEIGHT_PARAMETERS,
+    POINT_NUMBERS,
+    compute_density,
+    density_destination,
+    point_numbers,
+)
 from .log import Log
 
 
@@ -18,10 +24,11 @@ class DensityImageAlgorithm(Algorithm):
     about = (
         "The clouds are thinned, and the points above each pixel counted: walls stand out, as many points "
         "lie above each other there. Further bands hold the height that points fill above the local ground, "
-        "the lowest and highest point, and the ground (Mueller, Kohoutek and Theiler 2012)."
+        "the lowest and highest point, the ground, and what tells foliage and furniture from walls "
+        "(Mueller, Kohoutek and Theiler 2012)."
     )
     words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
-    inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS)
+    inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
     destinations = (density_destination(optional=False),)
     numbers = POINT_NUMBERS
 

@@ -1,24 +1,57 @@
 """What the algorithms that compute a density image have in common."""
 
+import math
 from typing import TYPE_CHECKING
 
 from ..algorithms.progress import Progress
 from .cloud_parameters import open_site
 from .destinations import RasterDestination
 from .log import Log
+from .parameters import Choice, Number
 
 if TYPE_CHECKING:
     from ..algorithms.site_plan.density import DensityImage
+    from ..algorithms.site_plan.heights import HeightRange
 
 POINT_NUMBERS = (
     ("POINTS_IN", "Number of points in the clouds"),
     ("POINTS_KEPT", "Number of points after thinning"),
 )
 
+HEIGHT_PARAMETERS = (
+    Number(
+        "ZMIN",
+        "Lowest height",
+        "Points below are left out. For a storey, a height within the slab below its floor.",
+        unit="m",
+        minimum=-20_000,
+        maximum=20_000,
+        advanced=True,
+    ),
+    Number(
+        "ZMAX",
+        "Highest height",
+        "Points from this height on are left out. For a storey, a height within the slab above it.",
+        unit="m",
+        minimum=-20_000,
+        maximum=20_000,
+        advanced=True,
+    ),
+    Choice(
+        "HEIGHTS",
+        "Heights are counted from",
+        "What ZMIN and ZMAX are counted from. The local ground, on a slope.",
+        options=("zero of the coordinates", "local ground"),
+        advanced=True,
+    ),
+)
+
 
 def density_destination(optional: bool) -> RasterDestination:
     """Return the destination DENSITY."""
-    help_text = "GeoTIFF with the bands density, occupied height, base, top and ground."
+    help_text = (
+        "GeoTIFF with the bands density, occupied height, base, top, ground, spread and hanging height."
+    )
     return RasterDestination("DENSITY", "Density image", help_text, style="density", optional=optional)
 
 
@@ -27,13 +60,27 @@ def compute_density(values: dict, log: Log, progress: Progress) -> "DensityImage
     from ..algorithms.site_plan.density import density_image
 
     image = density_image(
-        open_site(values), values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"], progress
+        open_site(values),
+        values["SPACING"],
+        values["PIXEL_SIZE"],
+        values["NEIGHBOURHOOD"],
+        progress,
+        _height_range(values),
     )
     log.warn(image.warnings)
     rows, columns = image.density.shape
     log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
     log.info(f"Density image: {columns} x {rows} pixels of {values['PIXEL_SIZE']:g} m.")
     return image
+
+
+def _height_range(values: dict) -> "HeightRange":
+    from ..algorithms.site_plan.heights import HeightRange
+
+    low, high = values["ZMIN"], values["ZMAX"]
+    return HeightRange(
+        -math.inf if low is None else low, math.inf if high is None else high, values["HEIGHTS"] == 1
+    )
 
 
 def point_numbers(image: "DensityImage") -> dict:

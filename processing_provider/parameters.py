@@ -115,10 +115,7 @@ class Number(Parameter):
             min(self.maximum, 2**31 - 1) if self.whole else self.maximum,
         )
         definition.setMetadata({"widget_wrapper": {"decimals": self.decimals}})
-        if self.advanced:
-            advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
-            definition.setFlags(definition.flags() | advanced)
-        return definition
+        return _marked(definition) if self.advanced else definition
 
     def value(self, algorithm, parameters, context) -> Union[int, float, None]:
         # As a string, for QGIS reads a word as 0, and does not tell an empty value from it.
@@ -145,6 +142,7 @@ class Choice(Parameter):
     """One of several options, by its number from 0; the first is the default."""
 
     options: tuple
+    advanced: bool = False
 
     @property
     def explanation(self) -> str:
@@ -152,9 +150,10 @@ class Choice(Parameter):
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
-        return QgsProcessingParameterEnum(
+        definition = QgsProcessingParameterEnum(
             self.name, self.description, list(self.options), allowMultiple=False, defaultValue=0
         )
+        return _marked(definition) if self.advanced else definition
 
     def value(self, algorithm, parameters, context) -> int:
         # As a string, for QGIS takes what it does not know for the default.
@@ -177,10 +176,7 @@ class Flag(Parameter):
         return f"{self.help} Default {'yes' if self.default else 'no'}."
 
     def _definition(self) -> QgsProcessingParameterBoolean:
-        definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
-        advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
-        definition.setFlags(definition.flags() | advanced)
-        return definition
+        return _marked(QgsProcessingParameterBoolean(self.name, self.description, self.default))
 
     def value(self, algorithm, parameters, context) -> bool:
         # As a string, for QGIS takes any word for yes.
@@ -286,6 +282,13 @@ class ReferenceSystem(Parameter):
         if text:
             raise InputError(f"{self.name} {text} is not known; write it like EPSG:25832.")
         return None
+
+
+def _marked(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
+    """Put a definition among the advanced ones."""
+    advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    definition.setFlags(definition.flags() | advanced)
+    return definition
 
 
 def _files(given, context: QgsProcessingContext) -> list:

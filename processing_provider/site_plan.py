@@ -4,7 +4,13 @@ from functools import partial
 
 from .algorithm import Algorithm, Outcome
 from .cloud_parameters import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
-from .density_parameters import POINT_NUMBERS, compute_density, density_destination, point_numbers
+from .density_parameters import (
+    HEIGHT_PARAMETERS,
+    POINT_NUMBERS,
+    compute_density,
+    density_destination,
+    point_numbers,
+)
 from .log import Log
 from .room_parameters import AXES, DOOR_WIDTH, REPORT, ROOM_NUMBERS, ROOMS, further_outputs
 from .wall_parameters import (
@@ -44,7 +50,16 @@ class SitePlanAlgorithm(Algorithm):
         "archaeology",
         "building",
     )
-    inputs = (CLOUDS, SPACING, PIXEL_SIZE, *WALL_PARAMETERS, CRS, neighbourhood(advanced=True), DOOR_WIDTH)
+    inputs = (
+        CLOUDS,
+        SPACING,
+        PIXEL_SIZE,
+        *WALL_PARAMETERS,
+        CRS,
+        neighbourhood(advanced=True),
+        *HEIGHT_PARAMETERS,
+        DOOR_WIDTH,
+    )
     destinations = (
         density_destination(optional=True),
         plan_destination(optional=True),

@@ -105,9 +105,7 @@ class TileStore:
         starts = np.flatnonzero(np.r_[True, (np.diff(key, axis=0) != 0).any(axis=1)][: len(key)])
         for start, stop in zip(starts, np.r_[starts[1:], len(key)]):
             self._parts[tuple(key[start].tolist())].append((self._end + start, stop - start))
-        self._file.seek(self._end * _RECORD.itemsize)
-        records.tofile(self._file)
-        self._end += len(records)
+        self._append(records)
 
     def counts(self) -> dict:
         """Return the number of points by tile (column, row)."""
@@ -115,13 +113,27 @@ class TileStore:
 
     def tile(self, key: tuple) -> Tile:
         """Read the tile in column and row `key`, its points in the cloud's order."""
+        records = self._records(key)
+        corner = (key[0] * self.edge, key[1] * self.edge)
+        return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"], self.edge)
+
+    def keep(self, key: tuple, rows: np.ndarray) -> None:
+        """Leave out all but some rows of the tile `key`."""
+        records = self._records(key)[rows]
+        self._parts[key] = [(self._end, len(records))]
+        self._append(records)
+
+    def _records(self, key: tuple) -> np.ndarray:
         blocks = []
         for start, count in self._parts[key]:
             self._file.seek(int(start) * _RECORD.itemsize)
             blocks.append(np.fromfile(self._file, _RECORD, int(count)))
-        records = np.concatenate(blocks)
-        corner = (key[0] * self.edge, key[1] * self.edge)
-        return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"], self.edge)
+        return np.concatenate(blocks)
+
+    def _append(self, records: np.ndarray) -> None:
+        self._file.seek(self._end * _RECORD.itemsize)
+        records.tofile(self._file)
+        self._end += len(records)
 
     def tiles(self, keys: list, progress: Progress, message: str) -> Iterator[tuple]:
         """Yield (key, tile) in the order of `keys`, reporting progress."""

@@ -4,6 +4,7 @@ Mueller et al. 2012, section 2.1: the cloud is thinned to a minimum distance and
 pixels around it. The heights are read from all points on the way.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Optional
@@ -23,6 +24,7 @@ from .foliage import PARTS, scatter, spread_of
 from .gate import Heights
 from .grid import Grid, make_grid, site_tiles
 from .ground import CELL, LowestSurface, at_pixels, ground_surface
+from .heights import HeightRange, cut
 
 WINDOW = (0.3, 2.3)
 """Heights above the local ground, in metres, between which a column counts as occupied."""
@@ -87,6 +89,7 @@ def density_image(
     pixel_size: float = 0.10,
     neighbourhood: int = 1,
     progress: Progress = Progress(),
+    heights: HeightRange = HeightRange(),
 ) -> DensityImage:
     """Compute the density image of a cloud.
 
@@ -102,12 +105,15 @@ def density_image(
         A point spreads over (2 * neighbourhood + 1) squared pixels; 0 gives the plain histogram.
     progress : Progress
         Reports and cancels.
+    heights : HeightRange
+        Points outside are left out. The ground is looked for in what is left, unless it is the ground
+        that heights are counted from.
 
     Raises
     ------
     InputError
-        If all points have the same position, most lie far from each other, or the raster would be
-        too large.
+        If no point is left, all points have the same position, most lie far from each other, or
+        the raster would be too large.
     """
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
@@ -117,11 +123,16 @@ def density_image(
                 f"{names_of(cloud.sources)}: {stray} of {store.point_count} points lie far from each "
                 "other; check that the coordinates are metres, or cut the cloud to the site."
             )
+        if heights.is_limited and not heights.above_ground:
+            keys = cut(store, keys, heights, cloud, progress.part(0.4, 0.5))
         low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud.sources)}: all points have the same position; is it a scan?")
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
-        layers = _Layers(grid, at_pixels(ground_surface(surface), surface.grid, grid))
+        ground = ground_surface(surface, below=math.isfinite(heights.low) and not heights.above_ground)
+        layers = _Layers(grid, at_pixels(ground, surface.grid, grid))
+        if heights.is_limited and heights.above_ground:
+            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.7), grid, layers.ground)
         kept = 0
         for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.6, 1.0)):
             layers.add(tile, rows, neighbourhood)

@@ -131,16 +131,19 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     if min_height == 0:
         return Gate(held, flat, None, None, ())
     low = np.nan_to_num(heights.base - heights.ground, nan=np.inf) <= GROUND_STEP
+    is_seen = np.count_nonzero(low) >= FLOOR_SHARE * np.count_nonzero(held)
     rises = held & (occupied >= min_height)
     column = occupied >= COLUMN_HEIGHT
     if heights.spread is None or heights.hanging is None:
-        return Gate(rises, flat & ~rises, column, low, (NOT_TOLD,))
+        return Gate(rises, flat & ~rises, column, low if is_seen else None, (NOT_TOLD,))
     foliage = _foliage(heights, occupied, min_height, pixel_size)
     room = _rooms(heights, rises, pixel_size)
     free = room & (heights.hanging < REACHES)
     behind = held & room & (heights.hanging >= BEHIND) & ~low
     tall = (rises & ~foliage & ~free) | behind
-    return Gate(tall, flat & ~tall, column, low | foliage | free, ())
+    # Of a storey that was cut above its floor it is not known where one can walk.
+    open_ground = low | foliage | free if is_seen else None
+    return Gate(tall, flat & ~tall, column, open_ground, ())
 
 
 def _foliage(heights: Heights, occupied: np.ndarray, min_height: float, pixel_size: float) -> np.ndarray:

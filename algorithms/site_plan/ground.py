@@ -35,6 +35,10 @@ SMOOTH = 0.15
 """Largest change of the rise from cell to cell to cell on smooth ground, metres; crowns are rougher."""
 
 
+ROOM, LEFT = 1.0, 0.05
+"""A surface is a ceiling that more than this share of the cells lie farther below than this (m)."""
+
+
 class LowestSurface:
     """The lowest supported layer of points in each ground cell.
 
@@ -103,7 +107,7 @@ def _lowest(counts, sums, support, enough, clearance):
     return height, clear
 
 
-def ground_surface(surface: LowestSurface) -> np.ndarray:
+def ground_surface(surface: LowestSurface, below: bool = False) -> np.ndarray:
     """Return the height of the ground under every cell; float64, shape (rows, columns), metres.
 
     Cells whose lowest surfaces pass into one another are one surface, and it is ground if it is
@@ -111,6 +115,9 @@ def ground_surface(surface: LowestSurface) -> np.ndarray:
     top of a wall, a table or the underside of a crown is never ground. If there is none, the largest
     surface is ground. Every other cell takes the height of the nearest ground, or its own if that is
     a little lower.
+
+    With `below`, the points below some height were left out, and the ground may be among them. What
+    many cells lie far below is then a ceiling, and they, in which walls begin, show the ground.
     """
     seen = np.isfinite(surface.height)
     filled = np.where(seen, surface.height, surface.height[seen].max())
@@ -121,9 +128,18 @@ def ground_surface(surface: LowestSurface) -> np.ndarray:
     ground = wide_parts(surfaces, _is_smooth(heights) & surface.clear, PATCH)
     if not ground.any():
         ground = surfaces == np.bincount(surfaces[sound]).argmax()
-    nearest = ndimage.distance_transform_edt(~ground, return_distances=False, return_indices=True)
-    beside = heights[tuple(nearest)]
+    if below:
+        deeper = sound & (heights < _beside(heights, ground) - ROOM)
+        if np.count_nonzero(deeper) > LEFT * np.count_nonzero(sound):
+            ground = deeper
+    beside = _beside(heights, ground)
     return np.where(sound, np.fmin(heights, beside), beside)
+
+
+def _beside(heights: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    """Return the height of the nearest ground."""
+    nearest = ndimage.distance_transform_edt(~ground, return_distances=False, return_indices=True)
+    return heights[tuple(nearest)]
 
 
 def surfaces_of(surface: np.ndarray, step: float) -> np.ndarray:

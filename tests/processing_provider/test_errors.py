@@ -30,6 +30,8 @@ def refuse(run):
         ({"MAX_FILL": 1.5}, "MAX_FILL must be a number, from 0 to 1 (ratio), not 1.5."),
         ({"NEIGHBOURHOOD": 6}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 6."),
         ({"NEIGHBOURHOOD": 0.5}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 0.5."),
+        ({"ZMIN": "low"}, "ZMIN must be a number, from -20000 to 20000 (m), not low."),
+        ({"ZMIN": 3, "ZMAX": 2}, "ZMIN 3 m is not below ZMAX 2 m; correct one of them."),
         ({"CRS": "EPSG:999999"}, "CRS EPSG:999999 is not known; write it like EPSG:25832."),
         ({"INPUT": " ; "}, "INPUT is empty; choose at least one point cloud file."),
     ],
@@ -38,6 +40,12 @@ def test_a_value_that_makes_no_sense_is_refused_with_its_limits(refuse, room, tm
     good = {"INPUT": room, "WALLS": str(tmp_path / "walls.shp")}
 
     assert refuse("siteplan", **{**good, **parameters}) == sentence
+
+
+def test_heights_that_hold_no_point_are_refused_with_those_of_the_cloud(refuse, room, tmp_path):
+    sentence = refuse("siteplan", INPUT=room, ZMAX=60, WALLS=str(tmp_path / "walls.shp"))
+
+    assert sentence.endswith("the heights reach from 70.00 to 72.48 m.")
 
 
 def test_a_missing_cloud_is_named(refuse, tmp_path):

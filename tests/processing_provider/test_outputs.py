@@ -98,6 +98,17 @@ def test_siteplan_is_the_chain_of_the_others(run, room, density, tmp_path, feedb
         assert np.array_equal(one.read(), other.read())
 
 
+@pytest.mark.parametrize(("heights", "low", "high"), [(0, 70.5, 71.0), (1, 0.5, 1.0)])
+def test_densityimage_leaves_out_what_is_lower_or_higher(run, room, tmp_path, heights, low, high):
+    path = str(tmp_path / "density.tif")
+    run("densityimage", INPUT=room, ZMIN=low, ZMAX=high, HEIGHTS=heights, DENSITY=path)
+
+    with rasterio.open(path) as raster:
+        base, top = (raster.read(BANDS.index(name) + 1, masked=True) for name in ("base", "top"))
+    assert base.min() == pytest.approx(70.5, abs=0.05)
+    assert top.max() == pytest.approx(71.0, abs=0.05)
+
+
 def test_siteplan_tells_progress_and_what_was_derived(run, room, tmp_path, feedback):
     run("siteplan", feedback, INPUT=[room], WALLS=str(tmp_path / "walls.shp"))
 

@@ -18,6 +18,7 @@ NUMBERS = {
     "THRESHOLD_STEPS": 10,
     "THRESHOLD_MAX": None,
 }
+HEIGHTS = {"ZMIN": None, "ZMAX": None}
 SIMULATION = {"TARGETS_PER_SCAN": 5, "SCALE_PPM": 10, "TRIALS": 1000, "SEED": 1, "REACH": None}
 FACADE = {
     "DISTANCE": 0.05,
@@ -35,6 +36,7 @@ PLANES = {"MIN_POINTS": None, "MAX_PLANES": 10}
 OWN_DEFAULTS = {"facadedetails": {"PIXEL_SIZE": None}, "compareplan": {"TOLERANCE": 0.10}}
 DEFAULTS = {
     **NUMBERS,
+    **HEIGHTS,
     **SIMULATION,
     **FACADE,
     **PLANES,
@@ -82,12 +84,14 @@ CONTRACT = {
         {"ERRORS", "REPORT", "COMPLETENESS", "CORRECTNESS", "IOU", "MEDIAN_OFFSET", "P95_OFFSET"},
     ),
     "densityimage": (
-        {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY"},
+        {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY", "HEIGHTS", *HEIGHTS},
         {"DENSITY", "POINTS_IN", "POINTS_KEPT"},
     ),
     "extractwalls": ({"INPUT", "PLAN", "WALLS"} | WALL_PARAMETERS, {"PLAN", "WALLS"} | WALL_NUMBERS),
     "siteplan": (
-        {"INPUT", "CRS", "DENSITY", "PLAN", "WALLS", "DOOR_WIDTH"} | {*NUMBERS} | FURTHER_FILES,
+        {"INPUT", "CRS", "DENSITY", "PLAN", "WALLS", "DOOR_WIDTH", "HEIGHTS", *HEIGHTS}
+        | {*NUMBERS}
+        | FURTHER_FILES,
         {"DENSITY", "PLAN", "WALLS", "POINTS_IN", "POINTS_KEPT", "ROOM_COUNT", "ROOM_AREA"}
         | WALL_NUMBERS
         | FURTHER_FILES,

@@ -5,8 +5,9 @@ import pytest
 import rasterio
 from affine import Affine
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.raster import write_raster
 from ichnograph.algorithms.site_plan.density import DensityImage
-from ichnograph.algorithms.site_plan.layers import read_density, write_density
+from ichnograph.algorithms.site_plan.layers import BANDS, read_density, write_density
 from rasterio.crs import CRS
 
 GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
@@ -20,7 +21,7 @@ def write(path, values, **profile):
 
 
 def test_what_is_written_is_read_again(tmp_path):
-    bands = np.random.default_rng(0).random((5, 20, 30)).astype(np.float32)
+    bands = np.random.default_rng(0).random((7, 20, 30)).astype(np.float32)
     bands[:, 3, 4] = np.nan
     image = DensityImage(*bands, GRID, CRS.from_epsg(25833), 10, 5, ())
     write_density(tmp_path / "density.tif", image)
@@ -29,6 +30,15 @@ def test_what_is_written_is_read_again(tmp_path):
     np.testing.assert_array_equal(raster.density, bands[0])
     for read, band in zip(vars(raster.heights).values(), bands[1:]):
         np.testing.assert_array_equal(read, band)
+
+
+def test_a_raster_of_an_older_version_is_read_without_the_later_bands(tmp_path):
+    names = BANDS[:5]
+    bands = {name: np.full((4, 4), i + 1.0, np.float32) for i, name in enumerate(names)}
+    write_raster(tmp_path / "old.tif", bands, GRID, None)
+    heights = read_density(tmp_path / "old.tif").heights
+    assert heights.ground[0, 0] == 5
+    assert heights.spread is None and heights.hanging is None
 
 
 def test_a_single_band_is_a_density_without_heights(tmp_path):

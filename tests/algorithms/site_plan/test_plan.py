@@ -110,7 +110,8 @@ def field(width, building):
     wall[100 : 100 + building, 100 : 100 + building] = True
     wall[101 : 99 + building, 101 : 99 + building] = False
     density[wall], occupied[wall], top[wall] = 60.0, 2.0, 2.5
-    return density, Heights(occupied, ground.copy(), top, ground), wall
+    nothing = np.zeros(density.shape), np.full(density.shape, np.nan)
+    return density, Heights(occupied, ground.copy(), top, ground, *nothing), wall
 
 
 def test_a_large_field_with_a_small_building_is_no_slice():
