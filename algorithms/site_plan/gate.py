@@ -17,6 +17,9 @@ FLAT = 0.15
 GROUND_STEP = 0.3
 """A lowest point up to this height (m) above the local ground is the ground itself."""
 
+GROUND_SHARE = 0.05
+"""Share of the pixels with points that show the ground, at least, unless it was cut off."""
+
 COLUMN_HEIGHT = 1.5
 """Occupied height (m) of a column: three quarters of the window that is looked at."""
 
@@ -131,7 +134,8 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     if min_height == 0:
         return Gate(held, flat, None, None, ())
     low = np.nan_to_num(heights.base - heights.ground, nan=np.inf) <= GROUND_STEP
-    is_seen = np.count_nonzero(low) >= FLOOR_SHARE * np.count_nonzero(held)
+    shown = np.count_nonzero(low & flat) / np.count_nonzero(np.isfinite(heights.base))
+    is_seen = shown >= GROUND_SHARE
     rises = held & (occupied >= min_height)
     column = occupied >= COLUMN_HEIGHT
     if heights.spread is None or heights.hanging is None:
