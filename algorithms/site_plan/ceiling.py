@@ -54,7 +54,7 @@ def hanging_height(
     Returns
     -------
     ndarray of float32, shape (rows, columns)
-        Metres; nan where there is no ceiling, and beside one where no point is as high.
+        Metres; nan where there is no ceiling, beside one where no point is as high, and in windows.
     """
     side = max(round(CELL / pixel_size), 1)
     lowest = round((LOWEST - low) / bin_height)
@@ -117,7 +117,7 @@ def _hanging(bits, held, levels, side, reach, beam, gap):
                         top -= 1
                     if top > level - beam:
                         out[r, c] = _filled_below(bits[r, c], min(top, level), gap)
-                    elif levels[row, column] >= 0 and held[r, c]:
+                    elif levels[row, column] >= 0 and held[r, c] and _is_one_piece(bits[r, c], gap):
                         out[r, c] = 0
     return out
 
@@ -143,3 +143,13 @@ def _filled_below(word, level, gap):
         elif end - k > gap:
             break
     return level - end
+
+
+@njit(nogil=True, cache=True)
+def _is_one_piece(word, gap):
+    """Tell whether all stands on the ground: the head of a window hangs above its sill."""
+    top = 63
+    while top > 0 and not (word >> np.uint64(top)) & np.uint64(1):
+        top -= 1
+    end = top - _filled_below(word, top, gap)
+    return word & ((np.uint64(1) << np.uint64(end)) - np.uint64(1)) == 0

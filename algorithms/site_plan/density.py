@@ -51,7 +51,7 @@ class DensityImage:
     base, top : ndarray
         Height of the lowest and the highest point in metres; nan where the pixel holds none.
     ground : ndarray
-        Height of the local ground in metres.
+        Height of the local ground in metres, or of the cut above it.
     spread : ndarray
         Share of the pixel over which the points in `WINDOW` are spread; nan where they are few.
     hanging : ndarray
@@ -107,7 +107,7 @@ def density_image(
         Reports and cancels.
     heights : HeightRange
         Points outside are left out. The ground is looked for in what is left, unless it is the ground
-        that heights are counted from.
+        that the range is counted from; above that, the cut stands for it.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def density_image(
         the raster would be too large.
     """
     with TileStore(tile_edge(spacing)) as store:
-        fill(store, cloud, progress.part(0.0, 0.5))
+        fill(store, cloud, progress.part(0.0, 0.45))
         keys, stray = site_tiles(store)
         if stray > store.point_count / 2:
             raise InputError(
@@ -124,7 +124,7 @@ def density_image(
                 "other; check that the coordinates are metres, or cut the cloud to the site."
             )
         if heights.is_limited and not heights.above_ground:
-            keys = cut(store, keys, heights, cloud, progress.part(0.4, 0.5))
+            keys = cut(store, keys, heights, cloud, progress.part(0.45, 0.5))
         low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud.sources)}: all points have the same position; is it a scan?")
@@ -132,9 +132,10 @@ def density_image(
         ground = ground_surface(surface, below=math.isfinite(heights.low) and not heights.above_ground)
         layers = _Layers(grid, at_pixels(ground, surface.grid, grid))
         if heights.is_limited and heights.above_ground:
-            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.7), grid, layers.ground)
+            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, layers.ground)
+            layers.ground += max(heights.low, 0.0)
         kept = 0
-        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.6, 1.0)):
+        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0)):
             layers.add(tile, rows, neighbourhood)
             kept += len(rows)
         warnings = (

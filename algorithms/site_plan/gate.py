@@ -33,8 +33,8 @@ FLOOR_WIDTH, FLOOR_SHARE = 1.0, 0.2
 SHEET = 0.5
 """Share of a pixel up to which points are spread that stand above one another; of walls, 0.2 to 0.4."""
 
-BODY = 0.3
-"""Foliage is at least this thick (m) each way; the rubble face of a wall is not as rough."""
+BODY = 0.4
+"""Foliage is at least this thick (m) each way: more than a partition with two rough faces."""
 
 REACHES = 0.2
 """What fills this height (m) right below a ceiling reaches it: two bins, as one may be the ceiling itself."""
@@ -140,7 +140,7 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     column = occupied >= COLUMN_HEIGHT
     if heights.spread is None or heights.hanging is None:
         return Gate(rises, flat & ~rises, column, low if is_seen else None, (NOT_TOLD,))
-    foliage = _foliage(heights, occupied, min_height, pixel_size)
+    foliage = _foliage(heights, rises, occupied, pixel_size)
     room = _rooms(heights, rises, pixel_size)
     free = room & (heights.hanging < REACHES)
     behind = held & room & (heights.hanging >= BEHIND) & ~low
@@ -150,11 +150,16 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     return Gate(tall, flat & ~tall, column, open_ground, ())
 
 
-def _foliage(heights: Heights, occupied: np.ndarray, min_height: float, pixel_size: float) -> np.ndarray:
+def _foliage(heights: Heights, rises: np.ndarray, occupied: np.ndarray, pixel_size: float) -> np.ndarray:
     """Tell bodies whose points are spread all over, with their ragged rims."""
-    loose = (occupied >= min_height / 2) & ~(heights.spread <= SHEET)
+    loose = (occupied > FLAT) & ~(heights.spread <= SHEET)
     body = ndimage.binary_opening(loose, np.ones((max(round(BODY / pixel_size), 2),) * 2))
-    return ndimage.binary_dilation(body, np.ones((3, 3)), 2, mask=loose)
+    body = ndimage.binary_dilation(body, np.ones((3, 3)), 2, mask=loose)
+    # The sill and the head of a window fill a pixel's plan as well, but little of its height.
+    labels, count = ndimage.label(body, np.ones((3, 3)))
+    high = 2 * np.bincount(labels[rises], minlength=count + 1) >= np.bincount(labels.ravel())
+    high[0] = False
+    return high[labels]
 
 
 def _rooms(heights: Heights, rises: np.ndarray, pixel_size: float) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -49,8 +50,8 @@ def cut(
     heights: HeightRange,
     cloud: Cloud,
     progress: Progress,
-    grid: Grid = None,
-    ground: np.ndarray = None,
+    grid: Optional[Grid] = None,
+    ground: Optional[np.ndarray] = None,
 ) -> list:
     """Leave out the points of a site that lie outside a range of heights.
 

@@ -66,7 +66,12 @@ def test_heights_above_the_ground_follow_a_slope():
     image = density_image(cloud_of(points), heights=HeightRange(0.2, 1.5, above_ground=True))
     assert np.isnan(band_at(image, "base", beam)).all()
     lowest = band_at(image, "base", wall) - band_at(image, "ground", wall)
-    np.testing.assert_allclose(lowest, 0.2, atol=0.03)
+    np.testing.assert_allclose(lowest, 0.0, atol=0.03)
+
+
+def test_a_slice_far_above_the_ground_shows_the_walls_that_it_cuts():
+    points, lower, upper = storeys()
+    assert tall_at(points, HeightRange(2.4, 2.9, above_ground=True), lower, upper) == [1, 0]
 
 
 @pytest.mark.parametrize("above_ground", [False, True])
