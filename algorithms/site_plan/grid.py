@@ -11,7 +11,7 @@ from ..clouds.tiles import LATTICE, TileStore
 from ..errors import InputError
 
 MAX_PIXELS = 100_000_000
-"""Largest raster: a square kilometre at 10 cm; about 5 GB of memory."""
+"""Largest raster: a square kilometre at 10 cm; about 8 GB of memory."""
 
 GAP = 20.0
 """Parts of a site farther apart than this, in metres, are told apart."""

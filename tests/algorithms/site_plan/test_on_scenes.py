@@ -31,9 +31,9 @@ def plan_of(image, **parameters):
     ("name", "complete", "correct"),
     [
         ("interior", 0.90, 0.90),
-        ("yard", 0.80, 0.80),
-        ("ruins", 0.80, 0.75),
-        ("rooms", 0.65, 0.55),
+        ("yard", 0.80, 0.88),
+        ("ruins", 0.85, 0.85),
+        ("rooms", 0.90, 0.85),
         ("columns", 0.90, 0.85),
     ],
 )
@@ -66,7 +66,7 @@ def test_a_site_in_files_by_station_gives_the_image_of_the_whole(tmp_path):
     whole = density_image(open_cloud([tmp_path / "whole.laz"]))
     joined = density_image(open_cloud(parts))
     assert whole.transform == joined.transform
-    for band in ("density", "occupied", "base", "top", "ground"):
+    for band in ("density", "occupied", "base", "top", "ground", "spread", "hanging"):
         np.testing.assert_array_equal(getattr(whole, band), getattr(joined, band))
 
 
