@@ -150,8 +150,14 @@ class Choice(Parameter):
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
+        # Optional, for a model that was stored before an advanced choice was added has no value of it.
         definition = QgsProcessingParameterEnum(
-            self.name, self.description, list(self.options), allowMultiple=False, defaultValue=0
+            self.name,
+            self.description,
+            list(self.options),
+            allowMultiple=False,
+            defaultValue=0,
+            optional=self.advanced,
         )
         return _marked(definition) if self.advanced else definition
 

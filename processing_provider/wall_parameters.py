@@ -64,7 +64,8 @@ WALL_PARAMETERS = (
         "MIN_HEIGHT",
         "Least occupied height of a wall",
         "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Keeps "
-        "out floors, beams and most furniture and vegetation. Lower it for low ruins; 0 uses density alone.",
+        "out floors and beams; with it, vegetation and furniture are told from walls. Lower it for low "
+        "ruins; 0 uses density alone.",
         unit="m",
         default=0.4,
         minimum=0,
