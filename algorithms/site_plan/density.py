@@ -6,6 +6,7 @@ pixels around it. The heights are read from all points on the way.
 
 import math
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Optional
 
@@ -115,6 +116,43 @@ def density_image(
         If no point is left, all points have the same position, most lie far from each other, or
         the raster would be too large.
     """
+    with sort_and_image(cloud, spacing, pixel_size, neighbourhood, progress) as (image, _points):
+        return image
+
+
+@dataclass(frozen=True)
+class SortedPoints:
+    """The points of a site on disk, for as long as `sort_and_image` is open.
+
+    Attributes
+    ----------
+    store : TileStore
+    keys : list of tuple of int
+        The tiles of the site.
+    grid : Grid
+        The pixels of the density image.
+    """
+
+    store: TileStore
+    keys: list
+    grid: Grid
+
+
+@contextmanager
+def sort_and_image(
+    cloud: Cloud,
+    spacing: float = 0.05,
+    pixel_size: float = 0.10,
+    neighbourhood: int = 1,
+    progress: Progress = Progress(),
+) -> Iterator[tuple[DensityImage, SortedPoints]]:
+    """Compute the density image as `density_image` does, and keep the sorted points for a further pass.
+
+    Yields
+    ------
+    image : DensityImage
+    points : SortedPoints
+    """
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.45))
         keys, stray = site_tiles(store)
@@ -143,7 +181,8 @@ def density_image(
             *stray_warning(cloud, stray, store.point_count),
             *_doubts(high - low, spacing, pixel_size),
         )
-        return _image(layers, cloud.crs, store.point_count, kept, warnings)
+        image = _image(layers, cloud.crs, store.point_count, kept, warnings)
+        yield image, SortedPoints(store, keys, grid)
 
 
 def _doubts(size: np.ndarray, spacing: float, pixel_size: float) -> Iterator[str]:
