@@ -70,7 +70,7 @@ def _without_overlaps(plain: dict, raw: dict) -> dict:
     """Take the raw outline wherever the straightened ones would overlap or be invalid."""
     chosen = {i: plain[i] if _sound(plain[i]) else raw[i] for i in raw}
     while True:
-        clashing = {i for pair in _overlaps(chosen) for i in pair if chosen[i] is not raw[i]}
+        clashing = {i for pair in overlaps(chosen) for i in pair if chosen[i] is not raw[i]}
         if not clashing:
             return chosen
         chosen.update({i: raw[i] for i in clashing})
@@ -80,7 +80,7 @@ def _sound(polygon: Polygon) -> bool:
     return polygon.is_valid and polygon.geom_type == "Polygon" and polygon.area > 0
 
 
-def _overlaps(polygons: dict) -> list:
+def overlaps(polygons: dict) -> list:
     """Return the pairs of numbers of polygons whose interiors meet."""
     numbers, geometries = list(polygons), list(polygons.values())
     # Boxes are asked first: shapely 1.8 and 2 answer a tree's query with different things.

@@ -36,6 +36,12 @@ class SitePlan:
         """Total length of the centrelines in metres."""
         return float(sum(wall.length for wall in self.walls))
 
+    @property
+    def coverage(self) -> float:
+        """Share of the outlines on which there are points; 0 as long as the faces are not known."""
+        covered = sum((wall.coverage or 0.0) * wall.outline.length for wall in self.walls)
+        return float(covered / sum(wall.outline.length for wall in self.walls))
+
 
 def extract_walls(
     density: np.ndarray,

@@ -37,6 +37,8 @@ class Wall:
         Mean density, points per pixel.
     votes : int
         Number of thresholds at which at least half the wall was found.
+    thickness, thick_sd, radius, coverage, rms : float or None
+        See `Measures`; None as long as the faces are not known.
     """
 
     wall_id: int
@@ -49,6 +51,11 @@ class Wall:
     azimuth: Optional[float]
     density: float
     votes: int
+    thickness: Optional[float] = None
+    thick_sd: Optional[float] = None
+    radius: Optional[float] = None
+    coverage: Optional[float] = None
+    rms: Optional[float] = None
 
 
 def describe_walls(
@@ -76,7 +83,7 @@ def describe_walls(
                 wall_id=region.label,
                 outline=outlines[region.label],
                 kind=kind,
-                length=_length(outlines[region.label]),
+                length=band_length(outlines[region.label]),
                 z_base=z_base,
                 z_top=z_top,
                 height=None if z_base is None else z_top - z_base,
@@ -94,7 +101,7 @@ def _kind(region, image: WallImage, pixel_size: float) -> str:
     return wall_shape(region, image.criteria) or compact
 
 
-def _length(outline: Polygon) -> float:
+def band_length(outline: Polygon) -> float:
     """Return the length of the centreline of a band, from its perimeter 2 (l + t) and area l t.
 
     A band that closes on itself has no ends, and is half its perimeter long.

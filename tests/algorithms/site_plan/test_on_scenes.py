@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.density import density_image, sort_and_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
 from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.algorithms.site_plan.refining import refine_on_points
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.ops import unary_union
@@ -54,6 +55,26 @@ def test_defaults_find_the_walls_of_a_scene_and_the_gate_gains(tmp_path, name, c
     assert found.correctness > correct
     assert found.median_offset < 0.08
     assert found.correctness > plain.correctness
+
+
+# Completeness and correctness at 5 cm of outlines on the faces; those of pixels reach less than half of it.
+@pytest.mark.parametrize(
+    ("name", "complete", "correct"),
+    [("interior", 0.95, 0.97), ("columns", 0.95, 0.95), ("ruins", 0.90, 0.88)],
+)
+def test_outlines_lie_on_the_faces_of_a_scene(tmp_path, name, complete, correct):
+    scene, scan = scanned(name)
+    write_laz(tmp_path / "scan.laz", scan, slice(None), "EPSG:25833")
+    with sort_and_image(open_cloud([tmp_path / "scan.laz"])) as (image, points):
+        plan = refine_on_points(plan_of(image), points, image)
+    outlines = [wall.outline for wall in plan.walls]
+    found = compare_plan(unary_union(outlines), scene.truth, 0.05, scan.seen_boundary)
+    assert found.completeness > complete
+    assert found.correctness > correct
+    assert found.median_offset < 0.01
+    assert found.p95_offset < 0.02
+    assert all(outline.is_valid and outline.geom_type == "Polygon" for outline in outlines)
+    assert sum(outline.area for outline in outlines) == pytest.approx(unary_union(outlines).area)
 
 
 def test_a_site_in_files_by_station_gives_the_image_of_the_whole(tmp_path):
