@@ -1,6 +1,8 @@
 """What the algorithms that compute a density image have in common."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from ..algorithms.progress import Progress
@@ -57,21 +59,22 @@ def density_destination(optional: bool) -> RasterDestination:
 
 def compute_density(values: dict, log: Log, progress: Progress) -> "DensityImage":
     """Compute the density image with the parameters that the user chose, and tell what was kept."""
-    from ..algorithms.site_plan.density import density_image
+    with compute_density_and_keep(values, log, progress) as (image, _points):
+        return image
 
-    image = density_image(
-        open_site(values),
-        values["SPACING"],
-        values["PIXEL_SIZE"],
-        values["NEIGHBOURHOOD"],
-        progress,
-        _height_range(values),
-    )
-    log.warn(image.warnings)
-    rows, columns = image.density.shape
-    log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
-    log.info(f"Density image: {columns} x {rows} pixels of {values['PIXEL_SIZE']:g} m.")
-    return image
+
+@contextmanager
+def compute_density_and_keep(values: dict, log: Log, progress: Progress) -> Iterator[tuple]:
+    """Compute the density image as `compute_density` does, and yield it with the sorted points."""
+    from ..algorithms.site_plan.density import sort_and_image
+
+    chosen = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
+    with sort_and_image(open_site(values), *chosen, progress, _height_range(values)) as (image, points):
+        log.warn(image.warnings)
+        rows, columns = image.density.shape
+        log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
+        log.info(f"Density image: {columns} x {rows} pixels of {values['PIXEL_SIZE']:g} m.")
+        yield image, points
 
 
 def _height_range(values: dict) -> "HeightRange":

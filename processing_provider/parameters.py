@@ -173,16 +173,18 @@ class Choice(Parameter):
 
 @dataclass(frozen=True)
 class Flag(Parameter):
-    """A choice between yes and no, among the advanced parameters."""
+    """A choice between yes and no."""
 
     default: bool
+    advanced: bool = True
 
     @property
     def explanation(self) -> str:
         return f"{self.help} Default {'yes' if self.default else 'no'}."
 
     def _definition(self) -> QgsProcessingParameterBoolean:
-        return _marked(QgsProcessingParameterBoolean(self.name, self.description, self.default))
+        definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
+        return _marked(definition) if self.advanced else definition
 
     def value(self, algorithm, parameters, context) -> bool:
         # As a string, for QGIS takes any word for yes.

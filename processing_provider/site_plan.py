@@ -7,11 +7,12 @@ from .cloud_parameters import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
 from .density_parameters import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
-    compute_density,
+    compute_density_and_keep,
     density_destination,
     point_numbers,
 )
 from .log import Log
+from .parameters import Flag
 from .room_parameters import AXES, DOOR_WIDTH, REPORT, ROOM_NUMBERS, ROOMS, further_outputs
 from .wall_parameters import (
     WALL_NUMBERS,
@@ -19,8 +20,18 @@ from .wall_parameters import (
     WALLS,
     find_walls,
     plan_destination,
+    refine_outlines,
     wall_numbers,
     wall_writers,
+)
+
+REFINE = Flag(
+    "REFINE",
+    "Outlines on the wall faces",
+    "Moves the outlines from the edges of pixels to where the points of the faces are, straight or curved, "
+    "and measures thickness, radius and coverage. No gives the outlines of the paper.",
+    default=True,
+    advanced=False,
 )
 
 
@@ -55,6 +66,7 @@ class SitePlanAlgorithm(Algorithm):
         SPACING,
         PIXEL_SIZE,
         *WALL_PARAMETERS,
+        REFINE,
         CRS,
         neighbourhood(advanced=True),
         *HEIGHT_PARAMETERS,
@@ -74,10 +86,13 @@ class SitePlanAlgorithm(Algorithm):
         """Compute the density image and extract the walls."""
         from ..algorithms.site_plan.layers import write_density
 
-        image = compute_density(values, log, log.progress.part(0.0, 0.8))
-        plan = find_walls(
-            image.density, image.heights, image.transform, values, log, log.progress.part(0.8, 1.0)
-        )
+        progress = log.progress
+        with compute_density_and_keep(values, log, progress.part(0.0, 0.7)) as (image, points):
+            plan = find_walls(
+                image.density, image.heights, image.transform, values, log, progress.part(0.7, 0.85)
+            )
+            if values["REFINE"]:
+                plan = refine_outlines(plan, points, image, log, progress.part(0.85, 1.0))
         writers = wall_writers(plan, image.transform, image.crs)
         writers["DENSITY"] = partial(write_density, image=image)
         further = further_outputs(plan, image, values, log)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
     from rasterio.crs import CRS
 
+    from ..algorithms.site_plan.density import DensityImage, SortedPoints
     from ..algorithms.site_plan.gate import Heights
     from ..algorithms.site_plan.plan import SitePlan
 
@@ -101,7 +102,7 @@ WALL_NUMBERS = (
 WALLS = PolygonDestination(
     "WALLS",
     "Walls",
-    "Polygons with kind, length, azimuth, base and top height. GeoPackage or shapefile, by extension.",
+    "Polygons with kind, length, thickness, base and top height. GeoPackage or shapefile, by extension.",
     style="walls",
 )
 
@@ -133,6 +134,20 @@ def find_walls(
     log.info(f"Smallest region: {criteria.min_area:g} m². Widest gap to close: {image.gap:g} m.")
     log.info(f"Walls: {len(plan.walls)}, {plan.area:.2f} m², {plan.length:.1f} m long.")
     return plan
+
+
+def refine_outlines(
+    plan: "SitePlan", points: "SortedPoints", image: "DensityImage", log: Log, progress: Progress
+) -> "SitePlan":
+    """Move the outlines onto the faces of the walls, and tell how well they are known."""
+    from ..algorithms.site_plan.refining import refine_on_points
+
+    refined = refine_on_points(plan, points, image, progress)
+    log.info(
+        f"Outlines on the faces: {refined.coverage:.0%} of their length has points on it; "
+        f"{refined.area:.2f} m², {refined.length:.1f} m long."
+    )
+    return refined
 
 
 def wall_writers(plan: "SitePlan", transform: "Affine", crs: "Optional[CRS]") -> dict:

@@ -116,7 +116,7 @@ def density_image(
         If no point is left, all points have the same position, most lie far from each other, or
         the raster would be too large.
     """
-    with sort_and_image(cloud, spacing, pixel_size, neighbourhood, progress) as (image, _points):
+    with sort_and_image(cloud, spacing, pixel_size, neighbourhood, progress, heights) as (image, _points):
         return image
 
 
@@ -145,6 +145,7 @@ def sort_and_image(
     pixel_size: float = 0.10,
     neighbourhood: int = 1,
     progress: Progress = Progress(),
+    heights: HeightRange = HeightRange(),
 ) -> Iterator[tuple[DensityImage, SortedPoints]]:
     """Compute the density image as `density_image` does, and keep the sorted points for a further pass.
 

@@ -109,6 +109,35 @@ def test_densityimage_leaves_out_what_is_lower_or_higher(run, room, tmp_path, he
     assert top.max() == pytest.approx(71.0, abs=0.05)
 
 
+def test_siteplan_puts_the_outlines_on_the_faces(run, room, tmp_path, feedback):
+    path = run("siteplan", feedback, INPUT=[room], WALLS=str(tmp_path / "walls.gpkg"))["WALLS"]
+
+    (wall,) = read(path)
+    low, high = CORNER[:2] + 1, CORNER[:2] + (7, 5)
+    outer, inner = (np.array(ring) for ring in wall["geometry"]["coordinates"])
+    # The faces have no thickness: the outline goes from the seen side to just behind.
+    assert np.abs(outer.min(axis=0) - low).max() < 0.02 and np.abs(outer.max(axis=0) - high).max() < 0.02
+    assert np.abs(inner.min(axis=0) - low).max() < 0.02 and np.abs(inner.max(axis=0) - high).max() < 0.02
+    fields = wall["properties"]
+    assert fields["thickness"] is None and fields["radius"] is None
+    assert 0.4 < fields["coverage"] <= 1
+    assert 0 <= fields["rms"] < 0.001
+    assert any("of their length has points on it" in info for info in feedback.infos)
+
+
+def test_siteplan_without_refine_gives_the_outlines_of_extractwalls(run, room, density, tmp_path):
+    outputs = {"PLAN": str(tmp_path / "plan.tif"), "WALLS": str(tmp_path / "plain.gpkg")}
+    plain = run("extractwalls", INPUT=density["DENSITY"], **outputs)
+    chain = run("siteplan", INPUT=[room], REFINE=False, WALLS=str(tmp_path / "chain.gpkg"))
+
+    (one,), (other,) = read(plain["WALLS"]), read(chain["WALLS"])
+    assert one["geometry"]["coordinates"] == other["geometry"]["coordinates"]
+    assert dict(one["properties"]) == dict(other["properties"])
+    assert {name: plain[name] for name in ("WALL_AREA", "WALL_LENGTH")} == {
+        name: chain[name] for name in ("WALL_AREA", "WALL_LENGTH")
+    }
+
+
 def test_siteplan_tells_progress_and_what_was_derived(run, room, tmp_path, feedback):
     run("siteplan", feedback, INPUT=[room], WALLS=str(tmp_path / "walls.shp"))
 
@@ -139,6 +168,11 @@ def test_a_parameter_that_does_not_exist_is_told(run, room, tmp_path, feedback):
     run("thincloud", feedback, INPUT=[room], SPACNIG=0.2, OUTPUT=str(tmp_path / "thin.laz"))
 
     assert "SPACNIG is no parameter of thincloud, so it has no effect." in feedback.warnings
+
+
+def read(path):
+    with fiona.open(path) as layer:
+        return list(layer)
 
 
 def assert_is_the_room(path, area):
