@@ -21,7 +21,12 @@ TOLERANCES = (0.05, 0.10, 0.20)
 PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
 """Angle and shift of every scene: no wall runs along the pixels, and coordinates are those of a grid."""
 
-CHAINS = {"default": WallParameters(), "MIN_HEIGHT=0": WallParameters(min_height=0)}
+CHAINS = {
+    "default": (WallParameters(), True),
+    "REFINE=no": (WallParameters(), False),
+    "REFINE=no MIN_HEIGHT=0": (WallParameters(min_height=0), False),
+}
+"""Parameters, and whether outlines are moved to the faces; the last is the paper's plain chain."""
 
 
 def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str]:
@@ -32,8 +37,9 @@ def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str
     cloud = folder / f"{name}.laz"
     write_laz(cloud, scan, slice(None), "EPSG:25833")
     rows = []
-    for chain, parameters in CHAINS.items():
-        outputs = run_chain([cloud], folder, f"{name}_{chain.replace('=', '')}", parameters)
+    for chain, (parameters, refine) in CHAINS.items():
+        stem = f"{name}_{chain.replace('=', '').replace(' ', '_')}"
+        outputs = run_chain([cloud], folder, stem, parameters, refine=refine)
         walls = unary_union([wall.outline for wall in outputs.plan.walls])
         agreement = compare_plan(walls, scene.truth, TOLERANCES[-1], scan.seen_boundary)
         found = [agreement.at(tolerance) for tolerance in TOLERANCES]

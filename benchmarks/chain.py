@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Optional
 
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.density import sort_and_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
 from ichnograph.algorithms.site_plan.layers import write_density, write_plan, write_walls
 from ichnograph.algorithms.site_plan.plan import SitePlan, extract_walls
+from ichnograph.algorithms.site_plan.refining import refine_on_points
 
 
 @dataclass(frozen=True)
@@ -40,14 +41,17 @@ def run_chain(
     parameters: Optional[WallParameters] = None,
     spacing: float = 0.05,
     pixel_size: float = 0.10,
+    refine: bool = True,
 ) -> Outputs:
     """Turn clouds into density raster, plan raster and walls in `folder`."""
     started = time.perf_counter()
     folder.mkdir(parents=True, exist_ok=True)
     density, walls = folder / f"{name}_density.tif", folder / f"{name}_walls.shp"
-    image = density_image(open_cloud(clouds), spacing, pixel_size)
+    with sort_and_image(open_cloud(clouds), spacing, pixel_size) as (image, points):
+        plan = extract_walls(image.density, image.heights, image.transform, parameters or WallParameters())
+        if refine:
+            plan = refine_on_points(plan, points, image)
     write_density(density, image)
-    plan = extract_walls(image.density, image.heights, image.transform, parameters or WallParameters())
     write_plan(folder / f"{name}_plan.tif", plan, image.transform, image.crs)
     write_walls(walls, plan, image.crs)
     seconds = time.perf_counter() - started
