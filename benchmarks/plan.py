@@ -37,6 +37,7 @@ SEARCH = 0.20
 
 CHAINS = {
     "default": partial(run_chain, name="plan", parameters=WallParameters()),
+    "REFINE=no": partial(run_chain, name="plain", parameters=WallParameters(), refine=False),
 }
 """Makers of plans, by what the table calls them; each takes the clouds and a folder."""
 
