@@ -76,10 +76,10 @@ class Quality:
 COLUMNS = {
     "completeness": ("complete", 1, "{:.3f}", min),
     "correctness": ("correct", 1, "{:.3f}", min),
-    "median_offset": ("offset median (mm)", 1000, "{:.0f}", max),
-    "p95_offset": ("95 % (mm)", 1000, "{:.0f}", max),
-    "thickness": ("thickness median (mm)", 1000, "{:.0f}", max),
-    "p95_thickness": ("95 % (mm)", 1000, "{:.0f}", max),
+    "median_offset": ("offset median (mm)", 1000, "{:.1f}", max),
+    "p95_offset": ("95 % (mm)", 1000, "{:.1f}", max),
+    "thickness": ("thickness median (mm)", 1000, "{:.1f}", max),
+    "p95_thickness": ("95 % (mm)", 1000, "{:.1f}", max),
     "room_area": ("room area (%)", 100, "{:.2f}", max),
     "phantom": ("phantom (m)", 1, "{:.1f}", max),
 }

@@ -1,5 +1,6 @@
 """Drawing a ring anew along its sides, which meet at corners or end where their points end."""
 
+from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
@@ -21,6 +22,10 @@ LEAST_ANGLE = 0.26
 CHORD_GAP = 1.2
 """Ends of sides are joined directly if the outline between them is shorter than this, metres."""
 
+LEAST_LEFT = 0.75
+"""Sides are dropped for crossing others as long as this share of their length is left; then the crossing
+stays, and is cut off the polygon."""
+
 INSIDE = 0.5
 """An outline of pixels lies this many pixels outside the face."""
 
@@ -31,18 +36,25 @@ def redraw(ring: RingSides, pixel_size: float) -> tuple[np.ndarray, list]:
         side = ring.sides[0]
         around = np.pi * side.curve.radius
         return side.curve.run(-around, around)[:-1], [side]
-    sides = list(ring.sides)
+    sides, crossing = list(ring.sides), None
     while sides:
         ends, joints = _ends(sides, ring)
         wrong = {k for k, (start, stop) in enumerate(ends) if stop <= start}
         if not wrong:
             corners, owner = _corners(sides, ends, joints, ring, pixel_size)
             wrong = set(owner[_crossed(corners)].tolist())
-        if not wrong:
-            return corners, sides
+            if not wrong:
+                return corners, sides
+            crossing = crossing or (corners, list(sides))
+            if _length(sides) < LEAST_LEFT * _length(ring.sides):
+                return crossing
         # Of sides that cross, or of which their corners leave nothing, the shortest is the least sure.
         sides.pop(min(wrong, key=lambda k: (sides[k].length, k)))
     return _pixel_path(ring, 0, len(ring.places.xy) - 1, pixel_size), []
+
+
+def _length(sides: Sequence) -> float:
+    return sum(side.length for side in sides)
 
 
 def _ends(sides: list, ring: RingSides) -> tuple:

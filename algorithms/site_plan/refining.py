@@ -2,16 +2,15 @@
 
 from dataclasses import replace
 from itertools import chain
-from typing import Optional
 
 import numpy as np
 from affine import Affine
 from shapely.affinity import translate
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
-from shapely.ops import unary_union
-from shapely.validation import make_valid
+from skimage.measure import points_in_poly
 
+from ..errors import NothingFoundError
 from ..progress import Progress
 from .backs import tell_backs
 from .density import DensityImage, SortedPoints
@@ -19,15 +18,15 @@ from .face_points import FacePoints, gather_face_points
 from .measures import measure
 from .outlines import overlaps
 from .plan import SitePlan
+from .polygons import polygon_of, polygons_of
 from .redrawing import INSIDE, redraw
+from .ridges import FEWEST
 from .sides import find_sides
 from .walls import Wall, band_length
 
-BRIDGE = 0.002
-"""Overlap (m) of the bridge between parts of a wall that its sides have come apart into."""
-
-FARTHEST = 0.2
-"""Parts farther from each other than this (m) are not joined, and only the largest is kept."""
+NO_FACE = 0.1
+"""Where less than this share of an outline has a face, though there are enough points for one all around, the
+points lie in no surface: they are foliage."""
 
 
 def refine_on_points(
@@ -59,6 +58,11 @@ def refine_plan(
         From (column, row) to world coordinates.
     progress : Progress
         Reports and cancels.
+
+    Raises
+    ------
+    NothingFoundError
+        If no wall has a face, where there are points enough for one.
     """
     size, height = transform.a, density.shape[0]
     origin = transform.c, transform.f - height * size
@@ -67,22 +71,36 @@ def refine_plan(
     walls = []
     for number, wall in enumerate(plan.walls):
         progress.update(number / len(plan.walls), "Fitting faces")
-        walls.append(_refined(wall, points, held, local, origin))
+        pixels = orient(translate(wall.outline, -origin[0], -origin[1]))
+        rings = [
+            find_sides(np.asarray(ring.coords), points, local.a)
+            for ring in (pixels.exterior, *pixels.interiors)
+        ]
+        refined = _refined(wall, rings, held, local, origin)
+        if refined.coverage is None or refined.coverage >= NO_FACE or not _is_full(rings, pixels, points):
+            walls.append(refined)
+    if not walls:
+        raise NothingFoundError(
+            "No wall found: none of what stands there has a face; REFINE=no gives the outlines of the pixels."
+        )
     return replace(plan, walls=tuple(_apart(walls)))
 
 
-def _refined(wall: Wall, points: FacePoints, held: np.ndarray, local: Affine, origin: tuple) -> Wall:
-    pixels = orient(translate(wall.outline, -origin[0], -origin[1]))
-    rings = [
-        find_sides(np.asarray(ring.coords), points, local.a) for ring in (pixels.exterior, *pixels.interiors)
-    ]
+def _is_full(rings: list, pixels: Polygon, points: FacePoints) -> bool:
+    """Tell whether there are so many points within an outline that there would be a face all around."""
+    places = np.concatenate([ring.places.xy for ring in rings])
+    near = points.xy[points.near(places)]
+    return bool(points_in_poly(near, np.asarray(pixels.exterior.coords)).sum() >= FEWEST * len(places))
+
+
+def _refined(wall: Wall, rings: list, held: np.ndarray, local: Affine, origin: tuple) -> Wall:
     if not any(ring.sides for ring in rings):
         return replace(wall, outline=_unbiased(wall.outline, local.a), coverage=0.0)
     rings = tell_backs(rings, held, local)
     corners, sides = zip(*(redraw(ring, local.a) for ring in rings))
-    outline = _polygon(corners, origin)
+    outline = polygon_of(corners, origin)
     if outline is None:
-        return replace(wall, coverage=0.0)
+        return wall
     measures = measure([*chain.from_iterable(sides)], translate(outline, -origin[0], -origin[1]))
     return replace(
         wall,
@@ -98,42 +116,11 @@ def _unbiased(outline: Polygon, pixel_size: float) -> Polygon:
     return inner if inner.geom_type == "Polygon" and not inner.is_empty else outline
 
 
-def _polygon(rings: tuple, origin: tuple) -> Optional[Polygon]:
-    """Return the polygon of an outer ring and its holes, made valid, in world coordinates."""
-    outer, *holes = (_valid(Polygon(ring) if len(ring) >= 3 else Polygon()) for ring in rings)
-    outline = translate(outer.difference(unary_union(holes)) if holes else outer, *origin)
-    if outline.geom_type == "Polygon" and outline.is_valid:
-        return outline
-    return _joined(_valid(outline))
-
-
-def _valid(geometry):
-    return geometry if geometry.is_valid else make_valid(geometry).buffer(0)
-
-
-def _joined(geometry) -> Optional[Polygon]:
-    """Return the parts of a geometry as one polygon, bridged where they are nearest."""
-    whole, *parts = sorted(_polygons(geometry), key=lambda part: -part.area) or [None]
-    while parts:
-        distances = [whole.distance(part) for part in parts]
-        part, reach = parts.pop(int(np.argmin(distances))), min(distances) + BRIDGE
-        if reach > FARTHEST:
-            break
-        bridge = whole.buffer(reach).intersection(part.buffer(reach))
-        joined = _polygons(unary_union([whole, part, bridge]))
-        whole = max(joined, key=lambda one: one.area)
-    return whole
-
-
-def _polygons(geometry) -> list:
-    return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 0 and part.is_valid]
-
-
 def _apart(walls: list) -> list:
     """Cut from walls what they share with others before them."""
     outlines = {number: wall.outline for number, wall in enumerate(walls)}
     for one, other in overlaps(outlines):
         first, second = sorted((one, other))
-        parts = _polygons(outlines[second].difference(outlines[first]))
+        parts = polygons_of(outlines[second].difference(outlines[first]))
         outlines[second] = max(parts, key=lambda part: part.area, default=outlines[second])
     return [replace(wall, outline=outlines[number]) for number, wall in enumerate(walls)]

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.tests.algorithms.site_plan.masonry import faces_of, masonry, offset, refined, scattered
 from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, Point, box
@@ -174,3 +175,33 @@ def test_strangers_before_a_face_do_not_move_it():
     _, (wall,) = refined(np.concatenate([scattered(faces_of(truth)), stranger]))
     _, low, _, high = wall.outline.intersection(box(3, -1, 4, 1)).bounds
     assert (low, high) == pytest.approx((-0.15, 0.15), abs=0.002)
+
+
+def bush(count=3000, seed=1):
+    """Return points about a centre that is 4 m north of a wall: about 2 x 0.6 m, thinner outwards."""
+    return np.random.default_rng(seed).normal((2, 4, 1), (0.4, 0.12, 0.4), (count, 3)).clip(0)
+
+
+def test_what_has_points_enough_but_no_face_is_foliage_and_no_wall():
+    truth = masonry([(0, 0), (5, 0)], 0.3)
+    pixels, walls = refined(np.concatenate([scattered(faces_of(truth)), bush()]))
+    assert len(pixels) == 2
+    (wall,) = walls
+    assert offset(wall.outline, truth) < 0.01
+
+
+def test_foliage_alone_is_refused_in_one_sentence():
+    with pytest.raises(NothingFoundError, match="REFINE=no"):
+        refined(bush())
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_room_seen_from_inside_only_keeps_all_its_walls(seed):
+    inside = rotate(box(0, 0, 6, 4), 7)
+    faces = faces_of(inside.buffer(0.3, join_style=2).difference(inside))
+    seen = np.array([inside.distance(Point(place)) < 0.01 for place in faces[:, :2]])
+    _, (wall,) = refined(
+        scattered(faces[seen], 0.012, seed), unseen=inside.buffer(3).difference(inside.buffer(0.05))
+    )
+    assert inside.boundary.difference(wall.outline.buffer(0.02)).length < 0.3
+    assert wall.outline.area < 0.1 * inside.length
