@@ -3,7 +3,7 @@
 make real, or: python3 -m ichnograph.benchmarks.real_clouds [FOLDER] [--out build/real]
 
 FOLDER is the folder of test data (../shared/data), or any folder of clouds; each file is one site. Leaves
-layers and a picture for each.
+layers and a picture for each: the density image, the outlines of pixels, and those on the faces.
 """
 
 import argparse
@@ -74,11 +74,12 @@ def main() -> None:
     print("|---|---|---|---|---|---|")
     for name, path in scans(arguments.folder, arguments.out):
         try:
+            before = run_chain([path], arguments.out, f"{name}_pixels", refine=False)
             outputs = run_chain([path], arguments.out, name)
         except IchnographError as error:
             print(f"| {name} | | | | | {error} |", flush=True)
             continue
-        draw(outputs.density, outputs.walls, arguments.out / f"{name}.png")
+        draw(outputs.density, outputs.walls, arguments.out / f"{name}.png", before=before.walls)
         # A missing coordinate reference system is no news here.
         remarks = " ".join(warning for warning in outputs.warnings if "reference system" not in warning)
         print(

@@ -20,32 +20,46 @@ MARGIN = 2.0
 """Metres shown around the walls."""
 
 
-def draw(density: Path, walls: Path, out: Path, truth: Optional[BaseGeometry] = None) -> None:
-    """Write the picture of the two layers, with the outlines of the true walls where they are known."""
+def draw(
+    density: Path,
+    walls: Path,
+    out: Path,
+    truth: Optional[BaseGeometry] = None,
+    before: Optional[Path] = None,
+) -> None:
+    """Write the picture of the two layers, with the true walls or with other walls beside, if given."""
     with rasterio.open(density) as raster:
         values, bounds = raster.read(1, masked=True), raster.bounds
-    with fiona.open(walls) as layer:
-        outlines = [_outline(feature["geometry"]) for feature in layer]
-        west, south, east, north = layer.bounds
+    layers = [("Outlines of pixels", before), ("Walls", walls)] if before else [("Walls", walls)]
     extent = (bounds.left, bounds.right, bounds.bottom, bounds.top)
     darkest = values.mean() + 2 * values.std()
-    figure = Figure(figsize=(14, 7.3), layout="constrained")
-    axes = figure.subplots(1, 2, sharex=True, sharey=True)
-    for axis, title in zip(axes, ("Density image", "Walls")):
-        shade = values if axis is axes[0] else values * 0.4
+    figure = Figure(figsize=(7 * (1 + len(layers)), 7.3), layout="constrained")
+    axes = figure.subplots(1, 1 + len(layers), sharex=True, sharey=True)
+    for axis, (title, path) in zip(axes, [("Density image", None), *layers]):
+        shade = values * 0.4 if path else values
         axis.imshow(shade, extent=extent, cmap="gray_r", vmin=0, vmax=darkest, interpolation="nearest")
         axis.set(title=title, xticks=[], yticks=[], aspect="equal")
-    for outline in outlines:
-        axes[1].add_patch(PathPatch(outline, facecolor="#c8553d99", edgecolor="#8c2814", linewidth=0.8))
+        if path:
+            west, south, east, north = _add_walls(axis, path)
     if truth is not None:
         for part in truth.geoms:
-            axes[1].add_patch(PathPatch(_outline(mapping(part)), fill=False, edgecolor="#1b7837"))
-        axes[1].set_title("Walls, and the true walls in green")
+            axes[-1].add_patch(PathPatch(_outline(mapping(part)), fill=False, edgecolor="#1b7837"))
+        axes[-1].set_title("Walls, and the true walls in green")
         west, south, east, north = truth.bounds
     axes[0].set_xlim(west - MARGIN, east + MARGIN)
     axes[0].set_ylim(south - MARGIN, north + MARGIN)
-    _draw_scale_bar(axes[1], east - west)
+    _draw_scale_bar(axes[-1], east - west)
     figure.savefig(out, dpi=80)
+
+
+def _add_walls(axis, path: Path) -> tuple:
+    """Draw a layer of walls, and return its bounds."""
+    with fiona.open(path) as layer:
+        for feature in layer:
+            patch = PathPatch(_outline(feature["geometry"]), facecolor="#c8553d99", edgecolor="#8c2814")
+            patch.set_linewidth(0.8)
+            axis.add_patch(patch)
+        return layer.bounds
 
 
 def _outline(geometry) -> Outline:

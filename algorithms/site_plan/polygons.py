@@ -32,14 +32,14 @@ def polygon_of(rings: Sequence, origin: tuple) -> Optional[Polygon]:
     outline = translate(outer.symmetric_difference(unary_union(holes)) if holes else outer, *origin)
     if outline.geom_type == "Polygon" and outline.is_valid:
         return outline
-    return _joined(_valid(outline))
+    return joined(_valid(outline))
 
 
 def _valid(geometry):
     return geometry if geometry.is_valid else make_valid(geometry).buffer(0)
 
 
-def _joined(geometry) -> Optional[Polygon]:
+def joined(geometry) -> Optional[Polygon]:
     """Return the parts of a geometry as one polygon, bridged where they are nearest."""
     whole, *parts = sorted(polygons_of(geometry), key=lambda part: -part.area) or [None]
     while parts:
@@ -48,8 +48,8 @@ def _joined(geometry) -> Optional[Polygon]:
         if reach > FARTHEST:
             break
         bridge = whole.buffer(reach).intersection(part.buffer(reach))
-        joined = polygons_of(unary_union([whole, part, bridge]))
-        whole = max(joined, key=lambda one: one.area)
+        united = polygons_of(unary_union([whole, part, bridge]))
+        whole = max(united, key=lambda one: one.area)
     return whole
 
 

@@ -18,11 +18,14 @@ from .face_points import FacePoints, gather_face_points
 from .measures import measure
 from .outlines import overlaps
 from .plan import SitePlan
-from .polygons import polygon_of, polygons_of
+from .polygons import joined, polygon_of, polygons_of
 from .redrawing import INSIDE, redraw
 from .ridges import FEWEST
 from .sides import find_sides
 from .walls import Wall, band_length
+
+OUTSIDE = 1.5
+"""No face is looked for so many pixels outside an outline of pixels, so what a ring encloses there is none."""
 
 NO_FACE = 0.1
 """Where less than this share of an outline has a face, though there are enough points for one all around, the
@@ -99,6 +102,7 @@ def _refined(wall: Wall, rings: list, held: np.ndarray, local: Affine, origin: t
     rings = tell_backs(rings, held, local)
     corners, sides = zip(*(redraw(ring, local.a) for ring in rings))
     outline = polygon_of(corners, origin)
+    outline = outline and joined(outline.intersection(wall.outline.buffer(OUTSIDE * local.a, join_style=2)))
     if outline is None:
         return wall
     measures = measure([*chain.from_iterable(sides)], translate(outline, -origin[0], -origin[1]))
