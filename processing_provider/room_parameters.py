@@ -95,5 +95,8 @@ def _settings(values: dict) -> dict:
     return {
         "SPACING": f"{values['SPACING']:g} m",
         "NEIGHBOURHOOD": f"{values['NEIGHBOURHOOD']} pixels",
+        "REFINE": "yes" if values["REFINE"] else "no",
+        **{name: f"{values[name]:g} m" for name in ("ZMIN", "ZMAX") if values[name] is not None},
+        **({"HEIGHTS": "above the local ground"} if values["HEIGHTS"] else {}),
         **({"DOOR_WIDTH": f"{values['DOOR_WIDTH']:g} m"} if values["ROOMS"] else {}),
     }

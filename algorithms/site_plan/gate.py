@@ -90,6 +90,8 @@ class Gate:
     open_ground : ndarray of bool or None
         Pixels in which the ground was seen, or what is no wall; None if that is not known.
     warnings : tuple of str
+    foliage, furniture : ndarray of bool or None
+        Pixels that are high enough, but no wall; None if that is not known.
     """
 
     tall: np.ndarray
@@ -97,6 +99,8 @@ class Gate:
     column: Optional[np.ndarray]
     open_ground: Optional[np.ndarray]
     warnings: tuple
+    foliage: Optional[np.ndarray] = None
+    furniture: Optional[np.ndarray] = None
 
 
 def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float, pixel_size: float) -> Gate:
@@ -147,7 +151,7 @@ def make_gate(density: np.ndarray, heights: Optional[Heights], min_height: float
     tall = (rises & ~foliage & ~free) | behind
     # Of a storey that was cut above its floor it is not known where one can walk.
     open_ground = low | foliage | free if is_seen else None
-    return Gate(tall, flat & ~tall, column, open_ground, ())
+    return Gate(tall, flat & ~tall, column, open_ground, (), rises & foliage, rises & free & ~foliage)
 
 
 def _foliage(heights: Heights, rises: np.ndarray, occupied: np.ndarray, pixel_size: float) -> np.ndarray:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import Optional
 
 import numpy as np
 from affine import Affine
@@ -30,17 +31,21 @@ class Fate(IntEnum):
     UNSEEN = 0
     SURFACE = 1
     LOW = 2
-    FAINT = 3
-    SMALL = 4
-    MISSHAPEN = 5
-    CLOSED = 6
-    WALL = 7
+    FOLIAGE = 3
+    FURNITURE = 4
+    FAINT = 5
+    SMALL = 6
+    MISSHAPEN = 7
+    CLOSED = 8
+    WALL = 9
 
 
 COLOURS = {
     Fate.UNSEEN: (255, 255, 255),
     Fate.SURFACE: (238, 241, 243),
     Fate.LOW: (150, 205, 160),
+    Fate.FOLIAGE: (70, 140, 70),
+    Fate.FURNITURE: (185, 145, 110),
     Fate.FAINT: (170, 190, 205),
     Fate.SMALL: (160, 110, 200),
     Fate.MISSHAPEN: (235, 160, 40),
@@ -138,10 +143,16 @@ def fates(
         Fate.MISSHAPEN: view.part(misshapen),
         Fate.SMALL: view.part(small),
         Fate.FAINT: view.part(found.gated) > 0,
+        Fate.FOLIAGE: _known(gate.foliage, view, held),
+        Fate.FURNITURE: _known(gate.furniture, view, held),
         Fate.LOW: held & low,
         Fate.SURFACE: held,
     }
     return _numbered(rules)
+
+
+def _known(mask: Optional[np.ndarray], view: View, held: np.ndarray) -> np.ndarray:
+    return np.zeros_like(held) if mask is None else view.part(mask)
 
 
 def fates_at(selection: Selection, view: View) -> np.ndarray:

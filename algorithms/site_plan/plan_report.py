@@ -162,6 +162,16 @@ def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps:
             "THRESHOLD down if walls are among it",
         ),
         (
+            Fate.FOLIAGE,
+            "foliage: points spread over the plan, not along a face",
+            "MIN_HEIGHT=0 keeps it, and all else",
+        ),
+        (
+            Fate.FURNITURE,
+            "furniture: ends below a ceiling that walls reach",
+            "ZMAX below the ceiling if low walls are among it",
+        ),
+        (
             Fate.LOW,
             f"above the ground, but less occupied than MIN_HEIGHT {found.parameters.min_height:g} m",
             "MIN_HEIGHT down if walls are among it, low or sparsely scanned ones",

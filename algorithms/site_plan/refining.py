@@ -25,7 +25,7 @@ from .sides import find_sides
 from .walls import Wall, band_length
 
 OUTSIDE = 1.5
-"""No face is looked for so many pixels outside an outline of pixels, so what a ring encloses there is none."""
+"""No face is looked for so many pixels outside an outline of pixels; what a ring encloses there is none."""
 
 NO_FACE = 0.1
 """Where less than this share of an outline has a face, though there are enough points for one all around, the

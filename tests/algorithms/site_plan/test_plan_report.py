@@ -19,10 +19,11 @@ GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
 
 
 def site():
-    """Return a floor with a house of two faces, a scrap, a block, a faint wall and a low wall."""
+    """Return a floor with a house and a cupboard, a scrap, a block, a faint wall, a low one, and a bush."""
     shape = (150, 200)
     density = np.full(shape, 3.0)
     occupied, top = np.zeros(shape), np.full(shape, 70.0)
+    spread, hanging = np.full(shape, 0.2), np.full(shape, np.nan)
 
     def build(rows, columns, dense, high):
         density[rows, columns], occupied[rows, columns], top[rows, columns] = dense, high, 70 + high
@@ -36,9 +37,14 @@ def site():
     build(slice(40, 52), slice(140, 152), 60.0, 2.0)
     build(slice(130, 132), slice(100, 160), 1.0, 2.0)
     build(slice(110, 112), slice(100, 160), 60.0, 0.3)
+    build(slice(70, 84), slice(150, 164), 60.0, 2.0)
+    spread[70:84, 150:164] = 0.9
+    house = slice(24, 96)
+    hanging[house, house] = np.where(occupied[house, house] > 1, 1.0, 0.0)
+    build(slice(40, 46), slice(40, 50), 60.0, 2.0)
     ground = np.full(shape, 70.0)
     base = np.where(np.isnan(density), np.nan, ground)
-    bands = (band.astype(np.float32) for band in (density, occupied, base, top, ground))
+    bands = (band.astype(np.float32) for band in (density, occupied, base, top, ground, spread, hanging))
     return DensityImage(*bands, GRID, CRS.from_epsg(25833), 1_000_000, 50_000, ("A warning of the cloud.",))
 
 
@@ -81,6 +87,8 @@ def test_every_fate_is_shown_in_its_colour(made):
         Fate.MISSHAPEN: (45, 145),
         Fate.FAINT: (130, 120),
         Fate.LOW: (110, 120),
+        Fate.FOLIAGE: (77, 157),
+        Fate.FURNITURE: (43, 45),
     }
     for kind, (row, column) in places.items():
         assert tuple(fate[row - first, column - first]) == kinds[kind], kind.name
