@@ -1,7 +1,6 @@
 """Sound polygons of rings that cross themselves or each other."""
 
 from collections.abc import Sequence
-from typing import Optional
 
 import numpy as np
 from shapely.affinity import translate
@@ -13,13 +12,17 @@ BRIDGE = 0.002
 """Overlap (m) of the bridge between parts of a wall that its sides have come apart into."""
 
 FARTHEST = 0.2
-"""Parts farther from each other than this (m) are not joined, and only the largest is kept."""
+"""Parts farther from each other than this (m) are walls of their own."""
+
+SHORTEST = 0.5
+"""Unless their outline is shorter than this, metres."""
 
 
-def polygon_of(rings: Sequence, origin: tuple) -> Optional[Polygon]:
-    """Return the polygon of an outer ring and its holes, made valid; None if there is none.
+def polygons_between(rings: Sequence, origin: tuple, within: Polygon) -> list:
+    """Return the polygons of an outer ring and its holes, made valid, the largest first; none of nothing.
 
     The two faces of a thin wall may cross; the wall is then between them on either side of the crossing.
+    Parts are joined where they are near each other.
 
     Parameters
     ----------
@@ -27,30 +30,35 @@ def polygon_of(rings: Sequence, origin: tuple) -> Optional[Polygon]:
         Corners of the outer ring and of the holes, the first not repeated.
     origin : tuple of two float
         Where the coordinates of the rings begin, in world coordinates.
+    within : Polygon
+        What lies outside is cut off; world coordinates.
     """
     outer, *holes = (_valid(Polygon(ring) if len(ring) >= 3 else Polygon()) for ring in rings)
-    outline = translate(outer.symmetric_difference(unary_union(holes)) if holes else outer, *origin)
-    if outline.geom_type == "Polygon" and outline.is_valid:
-        return outline
-    return joined(_valid(outline))
+    shape = outer.symmetric_difference(unary_union(holes)) if holes else outer
+    first, *others = _joined(_valid(translate(shape, *origin)).intersection(within)) or [None]
+    return [first, *(part for part in others if part.length >= SHORTEST)] if first else []
 
 
 def _valid(geometry):
     return geometry if geometry.is_valid else make_valid(geometry).buffer(0)
 
 
-def joined(geometry) -> Optional[Polygon]:
-    """Return the parts of a geometry as one polygon, bridged where they are nearest."""
-    whole, *parts = sorted(polygons_of(geometry), key=lambda part: -part.area) or [None]
+def _joined(geometry) -> list:
+    """Return the parts of a geometry, those near each other bridged to one, the largest first."""
+    parts, found = sorted(polygons_of(geometry), key=lambda part: -part.area), []
     while parts:
-        distances = [whole.distance(part) for part in parts]
-        part, reach = parts.pop(int(np.argmin(distances))), min(distances) + BRIDGE
-        if reach > FARTHEST:
-            break
-        bridge = whole.buffer(reach).intersection(part.buffer(reach))
-        united = polygons_of(unary_union([whole, part, bridge]))
-        whole = max(united, key=lambda one: one.area)
-    return whole
+        whole, left = parts.pop(0), []
+        while parts:
+            distances = [whole.distance(part) for part in parts]
+            part, reach = parts.pop(int(np.argmin(distances))), min(distances) + BRIDGE
+            if reach > FARTHEST:
+                left = [part, *parts]
+                break
+            bridge = whole.buffer(reach).intersection(part.buffer(reach))
+            whole = max(polygons_of(unary_union([whole, part, bridge])), key=lambda one: one.area)
+        found.append(whole)
+        parts = sorted(left, key=lambda part: -part.area)
+    return sorted(found, key=lambda part: -part.area)
 
 
 def polygons_of(geometry) -> list:

@@ -6,7 +6,7 @@ from itertools import chain
 import numpy as np
 from affine import Affine
 from shapely.affinity import translate
-from shapely.geometry import Polygon
+from shapely.geometry import Point, Polygon
 from shapely.geometry.polygon import orient
 from skimage.measure import points_in_poly
 
@@ -18,14 +18,17 @@ from .face_points import FacePoints, gather_face_points
 from .measures import measure
 from .outlines import overlaps
 from .plan import SitePlan
-from .polygons import joined, polygon_of, polygons_of
+from .polygons import polygons_between, polygons_of
 from .redrawing import INSIDE, redraw
 from .ridges import FEWEST
 from .sides import find_sides
 from .walls import Wall, band_length
 
-OUTSIDE = 1.5
+OUTSIDE = 0.75
 """No face is looked for so many pixels outside an outline of pixels; what a ring encloses there is none."""
+
+BESIDE = 0.03
+"""A side whose middle is no farther than this (m) from an outline runs along it."""
 
 NO_FACE = 0.1
 """Where less than this share of an outline has a face, though there are enough points for one all around, the
@@ -80,13 +83,16 @@ def refine_plan(
             for ring in (pixels.exterior, *pixels.interiors)
         ]
         refined = _refined(wall, rings, held, local, origin)
-        if refined.coverage is None or refined.coverage >= NO_FACE or not _is_full(rings, pixels, points):
-            walls.append(refined)
+        if any(part.coverage is None or part.coverage >= NO_FACE for part in refined) or not _is_full(
+            rings, pixels, points
+        ):
+            walls += refined
     if not walls:
         raise NothingFoundError(
             "No wall found: none of what stands there has a face; REFINE=no gives the outlines of the pixels."
         )
-    return replace(plan, walls=tuple(_apart(walls)))
+    walls = [replace(wall, wall_id=number) for number, wall in enumerate(_apart(walls), start=1)]
+    return replace(plan, walls=tuple(walls))
 
 
 def _is_full(rings: list, pixels: Polygon, points: FacePoints) -> bool:
@@ -96,21 +102,26 @@ def _is_full(rings: list, pixels: Polygon, points: FacePoints) -> bool:
     return bool(points_in_poly(near, np.asarray(pixels.exterior.coords)).sum() >= FEWEST * len(places))
 
 
-def _refined(wall: Wall, rings: list, held: np.ndarray, local: Affine, origin: tuple) -> Wall:
+def _refined(wall: Wall, rings: list, held: np.ndarray, local: Affine, origin: tuple) -> list:
+    """Return the wall with its outline on the faces; where that comes apart, each part is a wall."""
     if not any(ring.sides for ring in rings):
-        return replace(wall, outline=_unbiased(wall.outline, local.a), coverage=0.0)
+        return [replace(wall, outline=_unbiased(wall.outline, local.a), coverage=0.0)]
     rings = tell_backs(rings, held, local)
     corners, sides = zip(*(redraw(ring, local.a) for ring in rings))
-    outline = polygon_of(corners, origin)
-    outline = outline and joined(outline.intersection(wall.outline.buffer(OUTSIDE * local.a, join_style=2)))
-    if outline is None:
-        return wall
-    measures = measure([*chain.from_iterable(sides)], translate(outline, -origin[0], -origin[1]))
+    within = wall.outline.buffer(OUTSIDE * local.a, join_style=2)
+    parts = polygons_between(corners, origin, within)
+    return [_measured(wall, part, [*chain.from_iterable(sides)], origin) for part in parts] or [wall]
+
+
+def _measured(wall: Wall, outline: Polygon, sides: list, origin: tuple) -> Wall:
+    """Return a wall with an outline, measured by those of the sides that run along it."""
+    own = translate(outline, -origin[0], -origin[1])
+    around = own.buffer(BESIDE)
+    along = [side for side in sides if around.contains(Point(side.curve.at((side.start + side.stop) / 2)))]
+    measures = measure(along, own)
+    azimuth = measures.azimuth if wall.kind == "straight" else None
     return replace(
-        wall,
-        outline=outline,
-        length=band_length(outline),
-        **{**vars(measures), "azimuth": measures.azimuth if wall.kind == "straight" else None},
+        wall, outline=outline, length=band_length(outline), **{**vars(measures), "azimuth": azimuth}
     )
 
 
