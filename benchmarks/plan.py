@@ -9,17 +9,21 @@ variant says. The columns are explained in docs/accuracy.md.
 import argparse
 import os
 import tempfile
-from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import partial
 from itertools import product
 from pathlib import Path
 
 import numpy as np
+from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.evaluation.plan import compare_plan
+from ichnograph.algorithms.site_plan.density import sort_and_image
 from ichnograph.algorithms.site_plan.extraction import WallParameters
+from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.algorithms.site_plan.refining import refine_on_points
 from ichnograph.tests.scenes import SCENES, Scan, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.judging import phantom_length, room_errors, thickness_errors
@@ -27,19 +31,13 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from .chain import run_chain
-
 TOLERANCE = 0.05
 """Of completeness and correctness, metres."""
 
 SEARCH = 0.20
 """Up to this distance a boundary has an offset, metres."""
 
-CHAINS = {
-    "default": partial(run_chain, name="plan", parameters=WallParameters()),
-    "REFINE=no": partial(run_chain, name="plain", parameters=WallParameters(), refine=False),
-}
-"""Makers of plans, by what the table calls them; each takes the clouds and a folder."""
+CHAINS = ("default", "REFINE=no")
 
 VARIANTS = ("full", "quarter", "noise", "stations")
 """All points; a quarter of them; 10 mm of range noise; two stations less."""
@@ -111,16 +109,19 @@ def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict:
     with tempfile.TemporaryDirectory() as folder:
         cloud = Path(folder) / "scan.laz"
         write_laz(cloud, scan, slice(None), "EPSG:25833")
-        plans = {chain: _walls(run, cloud) for chain, run in CHAINS.items()}
-    return {chain: quality(walls, scene, scan) for chain, walls in plans.items()}
+        plans = outlines(cloud)
+    return {chain: quality(plans.get(chain, Polygon()), scene, scan) for chain in CHAINS}
 
 
-def _walls(run: Callable, cloud: Path) -> BaseGeometry:
-    try:
-        plan = run([cloud], cloud.parent).plan
-    except NothingFoundError:
-        return Polygon()
-    return unary_union([wall.outline for wall in plan.walls])
+def outlines(cloud: Path) -> dict:
+    """Return the walls of a cloud with all defaults, by `CHAINS`; those that are not found are missing."""
+    found = {}
+    with sort_and_image(open_cloud([cloud])) as (image, points), suppress(NothingFoundError):
+        plan = extract_walls(image.density, image.heights, image.transform, WallParameters())
+        found["REFINE=no"] = unary_union([wall.outline for wall in plan.walls])
+        refined = refine_on_points(plan, points, image)
+        found["default"] = unary_union([wall.outline for wall in refined.walls])
+    return found
 
 
 def quality(walls: BaseGeometry, scene: Scene, scan: Scan) -> Quality:
