@@ -129,6 +129,10 @@ class Algorithm(QgsProcessingAlgorithm):
             self._values(parameters, context)
         except IchnographError as error:
             return False, str(error)
+        except ImportError as error:
+            # Values that are read from layers need the packages.
+            missing = missing_modules()
+            return False, explain_missing(missing) if missing else explain_broken(error)
         return True, ""
 
     def processAlgorithm(self, parameters, context, feedback) -> dict:

@@ -143,9 +143,8 @@ def refine_outlines(
     from ..algorithms.site_plan.refining import refine_on_points
 
     refined = refine_on_points(plan, points, image, progress)
-    left_out = len(plan.walls) - len(refined.walls)
-    if left_out:
-        log.info(f"Left out as foliage, for their points lie on no face: {left_out}.")
+    if refined.foliage:
+        log.info(f"Left out as foliage, for their points lie on no face: {refined.foliage}.")
     log.info(
         f"Outlines on the faces: {refined.coverage:.0%} of their length has points on it; "
         f"{refined.area:.2f} m², {refined.length:.1f} m long."

@@ -115,6 +115,7 @@ def _axes_of(outline: Polygon) -> list:
     return [
         (translate(line, *skeleton.origin), *_thickness(piece), _azimuth(piece.curve), piece.curve.radius)
         for line, piece in zip(lines, pieces)
+        if line.length > JOG
     ]
 
 
@@ -193,7 +194,8 @@ def _adjusted(points: np.ndarray, runs: list) -> list:
     for i in range(len(runs) - 1):
         (a, b, fit), (c, d, other) = runs[i : i + 2]
         if b == c and min(b - a, d - c) > 3:
-            off, beyond = fit(points[a:b]).distances(points[a:d]), other(points[c:d]).distances(points[a:d])
+            curves = (fit(points[a:b]) or fit_line(points[a:b]), other(points[c:d]) or fit_line(points[c:d]))
+            off, beyond = (curve.distances(points[a:d]) for curve in curves)
             error = np.cumsum(off**2) + np.cumsum(beyond[::-1] ** 2)[::-1] - beyond**2
             border = a + 2 + int(np.argmin(error[2:-2]))
             runs[i], runs[i + 1] = (a, border, fit), (border, d, other)

@@ -21,10 +21,13 @@ class SitePlan:
     image : WallImage
         Wall pixels and how they were found.
     walls : tuple of Wall
+    foliage : int
+        Number of walls that were left out, for their points lie on no face.
     """
 
     image: WallImage
     walls: tuple[Wall, ...]
+    foliage: int = 0
 
     @property
     def area(self) -> float:

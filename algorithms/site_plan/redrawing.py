@@ -105,7 +105,7 @@ def _corners(sides: list, ends: list, joints: list, ring: RingSides, pixel_size:
         run = side.curve.run(*ends[k])
         parts.append(run[:-1] if joints[k] else run)
         between, last = _between(side, sides[(k + 1) % len(sides)], ring), int(side.members[-1])
-        if not joints[k] and between * ring.step > CHORD_GAP:
+        if not joints[k] and between > 1 and between * ring.step > CHORD_GAP:
             parts.append(_pixel_path(ring, last + 1, last + between - 1, pixel_size))
         owner += [k] * (sum(map(len, parts)) - len(owner))
     return np.concatenate(parts), np.array(owner)

@@ -74,7 +74,7 @@ def refine_plan(
     origin = transform.c, transform.f - height * size
     local = Affine(size, 0.0, 0.0, 0.0, -size, height * size)
     held = np.isfinite(density)
-    walls = []
+    walls, foliage = [], 0
     for number, wall in enumerate(plan.walls):
         progress.update(number / len(plan.walls), "Fitting faces")
         pixels = orient(translate(wall.outline, -origin[0], -origin[1]))
@@ -87,12 +87,14 @@ def refine_plan(
             rings, pixels, points
         ):
             walls += refined
+        else:
+            foliage += 1
     if not walls:
         raise NothingFoundError(
             "No wall found: none of what stands there has a face; REFINE=no gives the outlines of the pixels."
         )
     walls = [replace(wall, wall_id=number) for number, wall in enumerate(_apart(walls), start=1)]
-    return replace(plan, walls=tuple(walls))
+    return replace(plan, walls=tuple(walls), foliage=foliage)
 
 
 def _is_full(rings: list, pixels: Polygon, points: FacePoints) -> bool:

@@ -75,7 +75,7 @@ def skeleton_of(outline: Polygon) -> Skeleton:
     graph.prune()
     centres = mesh.points[mesh.triangles].mean(axis=1)
     chains = [graph.chain(walk) for walk in graph.walks()]
-    return Skeleton(mesh.origin, float(mesh.widths()[mesh.wall].max()), *_joined(chains, centres))
+    return Skeleton(mesh.origin, float(mesh.widths()[mesh.wall].max(initial=0.0)), *_joined(chains, centres))
 
 
 class _Graph:

@@ -41,6 +41,23 @@ def test_a_desktop_is_told_before_it_runs(provider, without):
     assert algorithm.canExecute() == (False, sentence)
 
 
+def test_values_that_packages_read_are_refused_without_them(provider, without, monkeypatch):
+    from qgis.core import QgsProcessingContext
+
+    monkeypatch.delitem(sys.modules, "ichnograph.algorithms.evaluation.outlines", raising=False)
+    sentence = without("rasterio", "rasterio.crs", managed=True)
+    layer = "Polygon?field=id:integer"
+    algorithm = provider.algorithm("compareplan").create()
+    given = {"WALLS": _memory(layer), "REFERENCE": _memory(layer)}
+    assert algorithm.checkParameterValues(given, QgsProcessingContext()) == (False, sentence)
+
+
+def _memory(definition):
+    from qgis.core import QgsVectorLayer
+
+    return QgsVectorLayer(definition, "walls", "memory")
+
+
 def test_a_script_is_told_when_it_runs(run, room, without, tmp_path):
     from qgis.core import QgsProcessingException
 

@@ -93,6 +93,13 @@ def test_a_column_has_no_axis(column):
     assert axes_of(column) == ()
 
 
+@pytest.mark.parametrize("thickness", [2e-5, 4e-5, 2e-4])
+def test_a_sliver_of_a_wall_has_an_axis_or_none(thickness):
+    axes = axes_of(wall((0, 0), (3, 0), thickness=thickness))
+    assert len(axes) <= 1
+    assert all(axis.line.is_valid and axis.line.length > 0 for axis in axes)
+
+
 def test_a_buttress_no_longer_than_wide_makes_no_spur():
     (axis,) = axes_of(unary_union([wall((0, 0), (8, 0)), box(3, 0, 3.4, 0.5)]))
     assert len(axis.line.coords) == 2
