@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.extraction import WallParameters
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.scripts.picture import draw
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz

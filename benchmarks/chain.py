@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Optional
 
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.site_plan.density import sort_and_image
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.layers import write_density, write_plan, write_walls
-from ichnograph.algorithms.site_plan.plan import SitePlan, extract_walls
-from ichnograph.algorithms.site_plan.refining import refine_on_points
+from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
+from ichnograph.algorithms.site_plan.faces.refinement import refine_on_points
+from ichnograph.algorithms.site_plan.output.layers import write_density, write_plan, write_walls
+from ichnograph.algorithms.site_plan.site_plan import SitePlan, extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 
 
 @dataclass(frozen=True)

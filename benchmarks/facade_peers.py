@@ -22,10 +22,10 @@ from pathlib import Path
 from typing import Callable, Optional
 
 import numpy as np
-from ichnograph.algorithms.facade.alpha_shape import alpha_shape
-from ichnograph.algorithms.facade.mesh import triangulate
-from ichnograph.algorithms.facade.model import Points
-from ichnograph.algorithms.facade.planes import find_planes
+from ichnograph.algorithms.facade.elevation import Points
+from ichnograph.algorithms.facade.outlines.alpha_shape import alpha_shape
+from ichnograph.algorithms.facade.planes.planes import find_planes
+from ichnograph.algorithms.geometry.triangulation import triangulate
 from ichnograph.tests.scenes.facades import FACADES, FacadeScene
 from ichnograph.tests.scenes.facades.__main__ import write_laz
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density import density_image
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from matplotlib.figure import Figure

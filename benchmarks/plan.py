@@ -20,10 +20,10 @@ import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density import sort_and_image
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.plan import extract_walls
-from ichnograph.algorithms.site_plan.refining import refine_on_points
+from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
+from ichnograph.algorithms.site_plan.faces.refinement import refine_on_points
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.scenes import SCENES, Scan, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.judging import phantom_length, room_errors, thickness_errors

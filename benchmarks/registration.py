@@ -31,8 +31,8 @@ from dataclasses import dataclass, field
 from typing import Callable, Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.model import Settings
-from ichnograph.algorithms.registration.registering import register_scans
+from ichnograph.algorithms.registration.registration import register_scans
+from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.targets import TargetScene, target_scene
 from scipy.spatial import cKDTree
 

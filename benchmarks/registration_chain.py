@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.growth import grow
-from ichnograph.algorithms.registration.model import Settings
-from ichnograph.algorithms.registration.network import Network
-from ichnograph.algorithms.registration.registering import reduced, register_scans
+from ichnograph.algorithms.registration.adjustment.network import Network
+from ichnograph.algorithms.registration.matching.growth import grow
+from ichnograph.algorithms.registration.registration import reduced, register_scans
+from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 
 LENGTH = 20

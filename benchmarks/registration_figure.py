@@ -8,10 +8,10 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from ichnograph.algorithms.registration.model import Settings
-from ichnograph.algorithms.registration.point_list import PointList
-from ichnograph.algorithms.registration.registering import register_scans
-from ichnograph.algorithms.registration.simulation import Simulation, Trial, simulate
+from ichnograph.algorithms.registration.lists.point_list import PointList
+from ichnograph.algorithms.registration.registration import register_scans
+from ichnograph.algorithms.registration.settings import Settings
+from ichnograph.algorithms.registration.simulation.simulation import Simulation, Trial, simulate
 from ichnograph.tests.scenes.targets import CORNER, target_scene
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from ichnograph.algorithms.site_plan.rooms import find_rooms
+from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.geometry import Polygon

@@ -19,8 +19,8 @@ from qgis.PyQt.QtGui import QIcon
 from ..algorithms.errors import IchnographError, InputError, MissingPackageError
 from ..algorithms.files import atomic_output, new_folder
 from .dependencies import explain_broken, explain_missing, lacking, missing_modules
-from .destinations import check_outputs
 from .log import Log
+from .parameters.destinations import check_outputs
 from .styles import MARK, show_when_loaded, style_of
 
 ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")

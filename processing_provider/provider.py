@@ -6,17 +6,17 @@ from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import ICON
-from .compare_lengths import CompareLengthsAlgorithm
-from .compare_plan import ComparePlanAlgorithm
-from .density_image import DensityImageAlgorithm
-from .extract_walls import ExtractWallsAlgorithm
-from .facade_details import FacadeDetailsAlgorithm
-from .facade_planes import FacadePlanesAlgorithm
-from .register_scans import RegisterScansAlgorithm
-from .simulate_registration import SimulateRegistrationAlgorithm
-from .site_plan import SitePlanAlgorithm
-from .thin_cloud import ThinCloudAlgorithm
-from .transform_cloud import TransformCloudAlgorithm
+from .algorithms.compare_lengths import CompareLengthsAlgorithm
+from .algorithms.compare_plan import ComparePlanAlgorithm
+from .algorithms.density_image import DensityImageAlgorithm
+from .algorithms.extract_walls import ExtractWallsAlgorithm
+from .algorithms.facade_details import FacadeDetailsAlgorithm
+from .algorithms.facade_planes import FacadePlanesAlgorithm
+from .algorithms.register_scans import RegisterScansAlgorithm
+from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
+from .algorithms.site_plan import SitePlanAlgorithm
+from .algorithms.thin_cloud import ThinCloudAlgorithm
+from .algorithms.transform_cloud import TransformCloudAlgorithm
 
 
 class Provider(QgsProcessingProvider):

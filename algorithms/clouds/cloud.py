@@ -10,13 +10,13 @@ from rasterio.crs import CRS
 
 from ..errors import InputError
 from ..progress import Progress
-from .crs import horizontal, name_of, require_metres
-from .e57 import E57Source
-from .las import LasSource
-from .ply import PlySource
-from .ptx import PtxSource
+from ..reference_systems import horizontal, name_of, require_metres
+from .formats.e57 import E57Source
+from .formats.las import LasSource
+from .formats.ply import PlySource
+from .formats.ptx import PtxSource
+from .formats.text import TextSource
 from .source import Chunk, Source, unreadable
-from .text import TextSource
 
 # A new format joins here with one line.
 READERS = {

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from ..charts import bar_chart
-from ..html import figure, notes, number, paragraph, section, table, write_page
+from ..reporting.charts import bar_chart
+from ..reporting.html import figure, notes, number, paragraph, section, table, write_page
 from .lengths import LengthComparison
 
 MILLIMETRES = 1000

@@ -14,8 +14,8 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 from shapely.validation import make_valid
 
-from ..clouds.crs import name_of, parse_layer_wkt
 from ..errors import InputError
+from ..reference_systems import name_of, parse_layer_wkt
 
 SEAM = 0.001
 """Gap between polygons of one wall that is taken for drawn carelessly, metres."""

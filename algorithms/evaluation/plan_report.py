@@ -5,10 +5,21 @@ from pathlib import Path
 
 import numpy as np
 
-from ..charts import curve_chart
-from ..html import Markup, bullets, definitions, figure, notes, number, paragraph, section, table, write_page
-from ..maps import Map
-from ..svg import COLOURS, GREY, RED
+from ..reporting.charts import curve_chart
+from ..reporting.html import (
+    Markup,
+    bullets,
+    definitions,
+    figure,
+    notes,
+    number,
+    paragraph,
+    section,
+    table,
+    write_page,
+)
+from ..reporting.maps import Map
+from ..reporting.svg import COLOURS, GREY, RED
 from .plan import AGREES, MISSING, WRONG, PlanAgreement, Stretch
 
 TOLERANCES = (0.01, 0.02, 0.05, 0.10, 0.20, 0.50)

@@ -6,7 +6,7 @@ from typing import Optional
 import numpy as np
 from rasterio.crs import CRS
 
-from .model import Settings
+from .settings import Settings
 
 REGISTERED = "registered"
 

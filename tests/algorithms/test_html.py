@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from ichnograph.algorithms.charts import bar_chart, histogram
-from ichnograph.algorithms.html import (
+from ichnograph.algorithms.reporting.charts import bar_chart, histogram
+from ichnograph.algorithms.reporting.html import (
     MISSING,
     Markup,
     bullets,
@@ -21,8 +21,8 @@ from ichnograph.algorithms.html import (
     table,
     write_page,
 )
-from ichnograph.algorithms.maps import Map
-from ichnograph.algorithms.svg import LETTER, WIDTH, round_step
+from ichnograph.algorithms.reporting.maps import Map
+from ichnograph.algorithms.reporting.svg import LETTER, WIDTH, round_step
 
 DIAGONAL = np.array([[0.0, 0.0], [100.0, 50.0]]) + (412_300.0, 5_812_300.0)
 

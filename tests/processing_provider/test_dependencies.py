@@ -89,6 +89,6 @@ def test_without_pye57_only_e57_files_are_refused_and_the_remedy_is_told(run, ro
 def test_a_package_that_is_there_but_broken_is_told(run, monkeypatch, room, tmp_path):
     from qgis.core import QgsProcessingException
 
-    monkeypatch.setitem(sys.modules, "ichnograph.algorithms.clouds.thinning", None)
+    monkeypatch.setitem(sys.modules, "ichnograph.algorithms.clouds.thinning.thinning", None)
     with pytest.raises(QgsProcessingException, match=f"Python {VERSION} of QGIS cannot be loaded"):
         run("thincloud", INPUT=room, OUTPUT=str(tmp_path / "thin.las"))

@@ -107,7 +107,7 @@ def test_older_outputs_and_their_styles_stay_if_no_wall_is_found(run, refuse, ro
 
 
 def test_no_output_is_written_if_one_of_them_fails(monkeypatch, refuse, room, tmp_path):
-    import ichnograph.algorithms.site_plan.layers as layers
+    import ichnograph.algorithms.site_plan.output.layers as layers
     from ichnograph.algorithms.errors import InputError
 
     def fail(path, *_, **__):

@@ -24,7 +24,7 @@ def project(plugin):
 @pytest.fixture
 def read(plugin, project):
     """Read the value of CONTROL, or of TARGETS, as an algorithm does."""
-    from ichnograph.processing_provider.point_list_parameters import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
     from qgis.core import QgsProcessingContext
 
     context = QgsProcessingContext()
@@ -203,7 +203,7 @@ def run_with_lists(plugin):
     """Run a throw-away algorithm by the toolbox's own way, which checks the values first."""
     import processing
     from ichnograph.processing_provider.algorithm import Algorithm, Outcome
-    from ichnograph.processing_provider.point_list_parameters import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
     from qgis.core import QgsApplication, QgsProcessingProvider
 
     class Count(Algorithm):
@@ -237,7 +237,7 @@ def test_text_files_pass_where_qgis_asks_for_layers(run_with_lists, tmp_path):
 
 
 def test_the_dialog_takes_every_kind_of_file(plugin):
-    from ichnograph.processing_provider.point_list_parameters import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
 
     for kind in (PointListFile, PointListFiles):
         definition = kind("CONTROL", "Points", "Help.").definition()

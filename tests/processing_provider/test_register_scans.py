@@ -6,7 +6,7 @@ from pathlib import Path
 import fiona
 import numpy as np
 import pytest
-from ichnograph.algorithms.registration.layers import CONTROL_FIELDS, RESIDUAL_FIELDS
+from ichnograph.algorithms.registration.output.layers import CONTROL_FIELDS, RESIDUAL_FIELDS
 from ichnograph.tests.scenes.targets import target_scene
 from rasterio.crs import CRS
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from ichnograph.algorithms.registration.point_list import PointList
+from ichnograph.algorithms.registration.lists.point_list import PointList
 from scipy.spatial.transform import Rotation
 
 ROOM = np.array([10.0, 8.0, 3.5])

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.point_list import PointList
+from ichnograph.algorithms.registration.lists.point_list import PointList
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 

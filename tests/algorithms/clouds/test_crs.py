@@ -3,14 +3,14 @@
 import struct
 
 import pytest
-from ichnograph.algorithms.clouds.crs import (
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.reference_systems import (
     horizontal,
     name_of,
     parse_geotiff_keys,
     parse_wkt,
     require_metres,
 )
-from ichnograph.algorithms.errors import InputError
 from rasterio.crs import CRS
 
 

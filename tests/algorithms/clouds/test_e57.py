@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.clouds.e57 import E57Source
-from ichnograph.algorithms.clouds.ptx import PtxSource
+from ichnograph.algorithms.clouds.formats.e57 import E57Source
+from ichnograph.algorithms.clouds.formats.ptx import PtxSource
 from ichnograph.algorithms.errors import CancelledError, InputError, MissingPackageError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.formats import write_e57

@@ -5,7 +5,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.clouds.labelling import write_labelled
+from ichnograph.algorithms.clouds.writing.labelling import write_labelled
 from ichnograph.algorithms.errors import InputError
 from ichnograph.tests.algorithms.clouds.formats import write_ply
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.las import LasSource
+from ichnograph.algorithms.clouds.formats.las import LasSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from laspy.vlrs.known import LasZipVlr, WktCoordinateSystemVlr

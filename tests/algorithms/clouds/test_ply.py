@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.ply import PlySource
+from ichnograph.algorithms.clouds.formats.ply import PlySource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.formats import write_ply

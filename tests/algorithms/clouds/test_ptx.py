@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.ptx import PtxSource
-from ichnograph.algorithms.clouds.text import TextSource
+from ichnograph.algorithms.clouds.formats.ptx import PtxSource
+from ichnograph.algorithms.clouds.formats.text import TextSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.formats import write_ptx

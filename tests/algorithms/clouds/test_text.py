@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.text import TextSource
+from ichnograph.algorithms.clouds.formats.text import TextSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.thinning import thin_cloud
+from ichnograph.algorithms.clouds.thinning.thinning import thin_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from scipy.spatial import cKDTree

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds import transforming
 from ichnograph.algorithms.clouds.cloud import open_cloud, open_sources
-from ichnograph.algorithms.clouds.motion import Motion
-from ichnograph.algorithms.clouds.transforming import transform_cloud, transformed_names
+from ichnograph.algorithms.clouds.writing import transformation
+from ichnograph.algorithms.clouds.writing.transformation import transform_cloud, transformed_names
 from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.geometry.motion import Motion
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
@@ -310,8 +310,8 @@ def test_chunks_do_not_change_a_byte(tmp_path_factory, size):
     for name in ("in.las", "in.xyz"):
         transform(folder / name, MATRIX, folder / f"whole_{name}")
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(transforming, "CHUNK_SIZE", size)
-            patch.setattr(transforming, "LINES", size)
+            patch.setattr(transformation, "CHUNK_SIZE", size)
+            patch.setattr(transformation, "LINES", size)
             transform(folder / name, MATRIX, folder / f"parts_{name}")
         assert (folder / f"whole_{name}").read_bytes() == (folder / f"parts_{name}").read_bytes()
 

@@ -1,7 +1,7 @@
 """Walls, lattices and elevations that the tests of the facade share."""
 
 import numpy as np
-from ichnograph.algorithms.facade.model import (
+from ichnograph.algorithms.facade.elevation import (
     OPENING,
     RECTANGLE,
     Detail,

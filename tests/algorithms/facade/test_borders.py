@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.facade.border import Lost, trace_border
-from ichnograph.algorithms.facade.jambs import is_plumb
-from ichnograph.algorithms.facade.regular import make_outline
+from ichnograph.algorithms.facade.outlines.border import Lost, trace_border
+from ichnograph.algorithms.facade.outlines.jambs import is_plumb
+from ichnograph.algorithms.facade.outlines.regular_outlines import make_outline
 from ichnograph.tests.algorithms.facade.simple import lattice
 
 STEP, BAND = 0.02, 0.3

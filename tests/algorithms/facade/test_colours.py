@@ -2,13 +2,17 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.appearance import Appearance
-from ichnograph.algorithms.facade.colouring import divide_at_half, find_coloured
-from ichnograph.algorithms.facade.fusing import fuse_by_intensity, fuse_by_soft_borders, largest_first
-from ichnograph.algorithms.facade.growing import grow_regions
-from ichnograph.algorithms.facade.mesh import triangulate
-from ichnograph.algorithms.facade.seeds import PAPER_VARIANCE, find_seeds
+from ichnograph.algorithms.facade.colour.appearance import Appearance
+from ichnograph.algorithms.facade.colour.coloured_details import divide_at_half, find_coloured
+from ichnograph.algorithms.facade.colour.intensity_fusion import (
+    fuse_by_intensity,
+    fuse_by_soft_borders,
+    largest_first,
+)
+from ichnograph.algorithms.facade.colour.region_growing import grow_regions
+from ichnograph.algorithms.facade.colour.seeds import PAPER_VARIANCE, find_seeds
 from ichnograph.algorithms.facade.settings import Settings
+from ichnograph.algorithms.geometry.triangulation import triangulate
 from ichnograph.tests.algorithms.facade.simple import lattice
 
 STEP = 0.02

@@ -8,11 +8,11 @@ import pytest
 import rasterio
 from hypothesis import given
 from hypothesis import strategies as st
-from ichnograph.algorithms.facade.drawing import write_drawing
-from ichnograph.algorithms.facade.layers import FIELDS, write_details, write_elevation
-from ichnograph.algorithms.facade.model import Frame, Points
-from ichnograph.algorithms.facade.orthoimage import automatic_pixel_size, write_orthoimage
-from ichnograph.algorithms.facade.schedule import write_schedule
+from ichnograph.algorithms.facade.elevation import Frame, Points
+from ichnograph.algorithms.facade.output.drawing import write_drawing
+from ichnograph.algorithms.facade.output.elevation_layers import FIELDS, write_details, write_elevation
+from ichnograph.algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
+from ichnograph.algorithms.facade.output.schedule import write_schedule
 from ichnograph.tests.algorithms.facade.simple import lattice, small_elevation
 from rasterio.crs import CRS
 from shapely.geometry import shape

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.holes import classify, find_gaps, within
-from ichnograph.algorithms.facade.model import OPENING, RECESS
+from ichnograph.algorithms.facade.elevation import OPENING, RECESS
+from ichnograph.algorithms.facade.outlines.holes import classify, find_gaps, within
 from ichnograph.tests.algorithms.facade.simple import lattice
 from shapely.geometry import MultiPolygon, Polygon, box
 

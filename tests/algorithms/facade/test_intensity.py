@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.intensity import make_relative
+from ichnograph.algorithms.facade.colour.intensity_scale import make_relative
 from ichnograph.tests.algorithms.facade.simple import lattice
 
 PLACES = lattice(0, 0, 6, 4, 0.03)

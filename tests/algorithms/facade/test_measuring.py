@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.measuring import measure_facade
-from ichnograph.algorithms.facade.model import COLOURED, OPENING, PROJECTION, RECESS, Points
+from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS, Points
+from ichnograph.algorithms.facade.facade import measure_facade
 from ichnograph.algorithms.facade.settings import Settings
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import in_scene, judge

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.facade.alpha_shape import alpha_shape
-from ichnograph.algorithms.facade.denoising import remove_noise
-from ichnograph.algorithms.facade.mesh import triangulate
+from ichnograph.algorithms.facade.outlines.alpha_shape import alpha_shape
+from ichnograph.algorithms.facade.outlines.denoising import remove_noise
+from ichnograph.algorithms.facade.outlines.surface import make_surface
 from ichnograph.algorithms.facade.settings import Settings
-from ichnograph.algorithms.facade.surface import make_surface
+from ichnograph.algorithms.geometry.triangulation import triangulate
 from ichnograph.tests.algorithms.facade.simple import lattice
 from shapely.geometry import Polygon
 

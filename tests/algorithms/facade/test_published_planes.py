@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.planes import find_planes
+from ichnograph.algorithms.facade.planes.planes import find_planes
 from ichnograph.tests.algorithms.facade.simple import bare
 
 CORNICE = Path(__file__).parents[4] / "shared" / "data" / "cornice_pcl_region_growing" / "cornice.xyz"

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.border import Border
-from ichnograph.algorithms.facade.model import ARCH, FREE, RECTANGLE
-from ichnograph.algorithms.facade.regular import edge_deviation, make_outline
+from ichnograph.algorithms.facade.elevation import ARCH, FREE, RECTANGLE
+from ichnograph.algorithms.facade.outlines.border import Border
+from ichnograph.algorithms.facade.outlines.regular_outlines import edge_deviation, make_outline
 from shapely.geometry import Point, Polygon, box
 
 GAP = 0.01

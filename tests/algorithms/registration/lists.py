@@ -1,7 +1,7 @@
 """Lists of points for the tests, and how a scan sees them."""
 
 import numpy as np
-from ichnograph.algorithms.registration.point_list import PointList
+from ichnograph.algorithms.registration.lists.point_list import PointList
 from scipy.spatial.transform import Rotation
 
 HALL = np.array(

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-from ichnograph.algorithms.registration.model import Settings
 from ichnograph.algorithms.registration.results import (
     REGISTERED,
     ControlPoint,
@@ -14,6 +13,7 @@ from ichnograph.algorithms.registration.results import (
     ScaleTest,
     ScanRegistration,
 )
+from ichnograph.algorithms.registration.settings import Settings
 from rasterio.crs import CRS
 
 CORNER = np.array([412_300.0, 5_812_300.0, 70.0])

@@ -5,7 +5,7 @@ from dataclasses import replace
 import fiona
 import numpy as np
 import pytest
-from ichnograph.algorithms.registration.layers import (
+from ichnograph.algorithms.registration.output.layers import (
     RESIDUAL_FIELDS,
     semi_axes,
     write_control,

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.registration.point_list import points_of_features, read_point_list
+from ichnograph.algorithms.registration.lists.point_list import points_of_features, read_point_list
 from rasterio.crs import CRS
 
 DATA = Path(__file__).parents[4] / "shared" / "data"

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.registration.model import Matching, Model, Settings
-from ichnograph.algorithms.registration.point_list import PointList, read_point_list
-from ichnograph.algorithms.registration.registering import register_scans
+from ichnograph.algorithms.registration.lists.point_list import PointList, read_point_list
+from ichnograph.algorithms.registration.registration import register_scans
+from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 
 DATA = Path(__file__).resolve().parents[4] / "shared" / "data" / "registration"
 pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the published data sets are not there")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.registration.model import Matching, Model, Settings
-from ichnograph.algorithms.registration.registering import register_scans
+from ichnograph.algorithms.registration.registration import register_scans
+from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.tests.algorithms.registration.lists import GRID, HALL, labels, listed, scanned
 from ichnograph.tests.scenes.targets import target_scene
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.html import MISSING
-from ichnograph.algorithms.registration.model import Matching, Model, Settings
-from ichnograph.algorithms.registration.report import write_report
-from ichnograph.algorithms.registration.report_scan import verdict
+from ichnograph.algorithms.registration.output.report import write_report
+from ichnograph.algorithms.registration.output.report_scan import verdict
 from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
+from ichnograph.algorithms.registration.settings import Matching, Model, Settings
+from ichnograph.algorithms.reporting.html import MISSING
 from ichnograph.tests.algorithms.registration.made import (
     CORNER,
     correspondence,

@@ -7,10 +7,13 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.algorithms.registration.model import Matching, Model, Settings
-from ichnograph.algorithms.registration.point_list import PointList
-from ichnograph.algorithms.registration.simulation import SUCCESS, simulate
-from ichnograph.algorithms.registration.simulation_report import write_simulation_report, write_trials
+from ichnograph.algorithms.registration.lists.point_list import PointList
+from ichnograph.algorithms.registration.settings import Matching, Model, Settings
+from ichnograph.algorithms.registration.simulation.simulation import SUCCESS, simulate
+from ichnograph.algorithms.registration.simulation.simulation_report import (
+    write_simulation_report,
+    write_trials,
+)
 from ichnograph.tests.scenes.targets import target_scene
 
 FEW = 12

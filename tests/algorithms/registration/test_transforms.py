@@ -6,7 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.registration.model import Model, Settings
+from ichnograph.algorithms.registration.output.transforms import (
+    match_clouds,
+    read_transforms,
+    write_transforms,
+)
 from ichnograph.algorithms.registration.results import (
     Correspondence,
     Estimate,
@@ -15,7 +19,7 @@ from ichnograph.algorithms.registration.results import (
     ScaleTest,
     ScanRegistration,
 )
-from ichnograph.algorithms.registration.transforms import match_clouds, read_transforms, write_transforms
+from ichnograph.algorithms.registration.settings import Model, Settings
 from rasterio.crs import CRS
 from scipy.spatial.transform import Rotation
 

@@ -4,10 +4,10 @@ from typing import Optional
 
 import numpy as np
 from affine import Affine
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.face_points import face_points
-from ichnograph.algorithms.site_plan.plan import extract_walls
-from ichnograph.algorithms.site_plan.refining import refine_plan
+from ichnograph.algorithms.site_plan.faces.face_points import face_points
+from ichnograph.algorithms.site_plan.faces.refinement import refine_plan
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.polygon import orient
 

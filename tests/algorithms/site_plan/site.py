@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
-from ichnograph.algorithms.site_plan.gate import make_gate
+from ichnograph.algorithms.site_plan.walls.height_gate import make_gate
 
 ORIGIN = np.array([412_300.0, 5_812_700.0, 0.0])
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.site_plan.axes import find_axes
+from ichnograph.algorithms.site_plan.axes.axes import find_axes
 from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, Point, Polygon, box
 from shapely.ops import unary_union

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.density.density_image import density_image
 from ichnograph.tests.algorithms.site_plan.site import (
     band_at,
     box,

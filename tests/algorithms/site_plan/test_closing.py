@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.closing import bridge_corners, close_gaps
+from ichnograph.algorithms.site_plan.walls.closing import bridge_corners, close_gaps
 
 
 def two_faces(gap):

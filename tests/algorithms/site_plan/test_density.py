@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.site_plan.density import density_image
+from ichnograph.algorithms.site_plan.density.density_image import density_image
 
 GRID_ORIGIN = np.array([412_300.0, 5_812_700.0, 0.0])
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.site_plan.density import sort_and_image
-from ichnograph.algorithms.site_plan.face_points import LEVELS, gather_face_points
+from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
+from ichnograph.algorithms.site_plan.faces.face_points import LEVELS, gather_face_points
 from ichnograph.tests.processing_provider.room import CORNER, room_points, write_las
 
 

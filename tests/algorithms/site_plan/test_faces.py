@@ -2,7 +2,15 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.faces import CHORD, Arc, Line, crossing, first_arc, first_line, fit_face
+from ichnograph.algorithms.site_plan.faces.face_fit import (
+    CHORD,
+    Arc,
+    Line,
+    crossing,
+    first_arc,
+    first_line,
+    fit_face,
+)
 
 
 def straight(count=500, seed=0):

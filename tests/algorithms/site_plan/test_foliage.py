@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.site_plan.density import density_image
-from ichnograph.algorithms.site_plan.foliage import PARTS, spread_of
+from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.density.foliage import PARTS, spread_of
 from ichnograph.tests.algorithms.site_plan.site import (
     band_at,
     cloud_of,

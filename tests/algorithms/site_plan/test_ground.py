@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.grid import Grid
-from ichnograph.algorithms.site_plan.ground import LowestSurface, ground_surface
+from ichnograph.algorithms.site_plan.density.grid import Grid
+from ichnograph.algorithms.site_plan.density.ground import LowestSurface, ground_surface
 
 
 def ground_under(heights, clear=None):

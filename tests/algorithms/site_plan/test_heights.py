@@ -6,10 +6,10 @@ import laspy
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.site_plan.density import density_image
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.heights import HeightRange
-from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.density.height_range import HeightRange
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.algorithms.site_plan.site import band_at, cloud_of, gate_of, level, upright
 
 INDOOR = Path(__file__).parents[4] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"

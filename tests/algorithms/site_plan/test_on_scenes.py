@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density import density_image, sort_and_image
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.plan import extract_walls
-from ichnograph.algorithms.site_plan.refining import refine_on_points
+from ichnograph.algorithms.site_plan.density.density_image import density_image, sort_and_image
+from ichnograph.algorithms.site_plan.faces.refinement import refine_on_points
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.ops import unary_union

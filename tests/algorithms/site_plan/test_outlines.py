@@ -5,8 +5,8 @@ import pytest
 from affine import Affine
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.site_plan.closing import bridge_corners
-from ichnograph.algorithms.site_plan.outlines import label_walls, trace_outlines
+from ichnograph.algorithms.site_plan.walls.closing import bridge_corners
+from ichnograph.algorithms.site_plan.walls.pixel_outlines import label_walls, trace_outlines
 from shapely.ops import unary_union
 
 GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.pieces import cut_into_pieces, scatter_of
+from ichnograph.algorithms.site_plan.faces.ridge_segments import cut_into_pieces, scatter_of
 
 SIGMA = 0.01
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from affine import Affine
 from ichnograph.algorithms.errors import NothingFoundError
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.gate import Heights
-from ichnograph.algorithms.site_plan.plan import extract_walls
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
+from ichnograph.algorithms.site_plan.walls.height_gate import Heights
 
 GRID = Affine(0.1, 0, 1000.0, 0, -0.1, 2000.0)
 

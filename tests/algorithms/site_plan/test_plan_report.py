@@ -6,12 +6,12 @@ import re
 import numpy as np
 import pytest
 from affine import Affine
-from ichnograph.algorithms.site_plan.density import DensityImage
-from ichnograph.algorithms.site_plan.extraction import WallParameters
-from ichnograph.algorithms.site_plan.plan import extract_walls
-from ichnograph.algorithms.site_plan.plan_pictures import COLOURS, Fate
-from ichnograph.algorithms.site_plan.plan_report import write_report
-from ichnograph.algorithms.site_plan.rooms import find_rooms
+from ichnograph.algorithms.site_plan.density.density_image import DensityImage
+from ichnograph.algorithms.site_plan.output.plan_pictures import COLOURS, Fate
+from ichnograph.algorithms.site_plan.output.plan_report import write_report
+from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from rasterio.crs import CRS
 from rasterio.io import MemoryFile
 

@@ -1,7 +1,7 @@
 """Outlines stay polygons where their rings cross."""
 
 import pytest
-from ichnograph.algorithms.site_plan.polygons import polygons_between
+from ichnograph.algorithms.geometry.polygons import polygons_between
 from shapely.geometry import Point, box
 
 ORIGIN = (412_000.0, 5_812_000.0)

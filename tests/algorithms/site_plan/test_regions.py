@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.regions import Criteria, select_regions
+from ichnograph.algorithms.site_plan.walls.regions import Criteria, select_regions
 
 CRITERIA = Criteria(min_area=0.1, max_fill=0.4, min_elongation=3.0)
 

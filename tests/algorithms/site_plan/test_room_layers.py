@@ -4,9 +4,14 @@ import fiona
 import numpy as np
 import pytest
 from affine import Affine
-from ichnograph.algorithms.site_plan.axes import find_axes
-from ichnograph.algorithms.site_plan.room_layers import AXIS_FIELDS, ROOM_FIELDS, write_axes, write_rooms
-from ichnograph.algorithms.site_plan.rooms import find_rooms, with_floors
+from ichnograph.algorithms.site_plan.axes.axes import find_axes
+from ichnograph.algorithms.site_plan.output.room_layers import (
+    AXIS_FIELDS,
+    ROOM_FIELDS,
+    write_axes,
+    write_rooms,
+)
+from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms, with_floors
 from rasterio.crs import CRS
 from shapely.geometry import Point, box, shape
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.site_plan.rooms import find_rooms
+from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
 from ichnograph.tests.scenes import SCENES
 from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, Point, Polygon, box

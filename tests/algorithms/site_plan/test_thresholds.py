@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
-from ichnograph.algorithms.site_plan.thresholds import choose_thresholds
+from ichnograph.algorithms.site_plan.walls.thresholds import choose_thresholds
 
 RANDOM = np.random.default_rng(0)
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from ichnograph.algorithms.facade.model import COLOURED, OPENING, PROJECTION, RECESS
+from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS
 from shapely.geometry import Polygon, box
 
 from .caster import Leaves, Panel

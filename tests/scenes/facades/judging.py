@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from ichnograph.algorithms.facade.model import Detail, Elevation
+from ichnograph.algorithms.facade.elevation import Detail, Elevation
 from shapely.geometry import Polygon
 
 from .scene import FacadeScene, TrueDetail

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from ichnograph.algorithms.facade.model import Frame
+from ichnograph.algorithms.facade.elevation import Frame
 from scipy.ndimage import map_coordinates
 from shapely.geometry import Polygon
 

@@ -1,0 +1,1 @@
+"""The formats of point clouds, one a module."""

@@ -1,0 +1,253 @@
+"""PLY, as text or binary: its vertices, with all that they have."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+from typing import BinaryIO, Optional
+
+import numpy as np
+
+from ...errors import InputError
+from ...progress import Progress
+from ..source import Chunk, Source, no_points, truncated, unreadable
+from .number_table import read_numbers
+from .value_ranges import intensity_scale, rgb_factor, to_uint16
+
+SAMPLE = 10_000
+HEADER_LINES = 1000
+BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
+TYPES = {
+    **dict.fromkeys(("char", "int8"), "i1"),
+    **dict.fromkeys(("uchar", "uint8"), "u1"),
+    **dict.fromkeys(("short", "int16"), "i2"),
+    **dict.fromkeys(("ushort", "uint16"), "u2"),
+    **dict.fromkeys(("int", "int32"), "i4"),
+    **dict.fromkeys(("uint", "uint32"), "u4"),
+    **dict.fromkeys(("float", "float32"), "f4"),
+    **dict.fromkeys(("double", "float64"), "f8"),
+}
+COORDINATES = ("x", "y", "z")
+COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b"))
+INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectance")
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where the vertices stand in a file.
+
+    Attributes
+    ----------
+    encoding : str
+        ascii, binary_little_endian or binary_big_endian.
+    start : int
+        Byte at which the elements begin.
+    skipped : int
+        Lines of other elements before the vertices of an ascii file.
+    header : int
+        Number of lines of the header.
+    count : int
+    dtype : dtype
+        Of a vertex.
+    """
+
+    encoding: str
+    start: int
+    skipped: int
+    header: int
+    count: int
+    dtype: np.dtype
+
+
+@dataclass(frozen=True)
+class PlySource(Source):
+    """A PLY file.
+
+    The range of intensity and of colour that is not of whole numbers is judged by the first points.
+
+    Attributes
+    ----------
+    layout : Layout
+    intensity : str or None
+        The property that holds it.
+    intensity_scale : tuple of 2 float
+        Summand, then factor, that bring it to 0..65535.
+    rgb : tuple of 3 str, or None
+        The properties that hold the colour.
+    rgb_factor : float
+        Brings it to 0..65535.
+    """
+
+    layout: Layout
+    intensity: Optional[str]
+    intensity_scale: tuple[float, float]
+    rgb: Optional[tuple[str, ...]]
+    rgb_factor: float
+
+    @classmethod
+    def open(cls, path: Path) -> "PlySource":
+        """Look into the header and the first points of `path`.
+
+        Raises
+        ------
+        InputError
+            If the file is no PLY, is truncated or holds no points.
+        """
+        layout = _read_layout(path)
+        sample = next((points for points, _ in _blocks(path, layout, SAMPLE) if len(points)), None)
+        if sample is None:
+            raise no_points(path)
+        names = layout.dtype.names
+        intensity = next((name for name in names if name.lower() in INTENSITIES), None)
+        rgb = next((colour for colour in COLOURS if set(colour) <= set(names)), None)
+        return cls(
+            path=path,
+            crs=None,
+            warnings=(),
+            middle=np.median(_columns(sample, COORDINATES), axis=0),
+            has_intensity=intensity is not None,
+            has_rgb=rgb is not None,
+            layout=layout,
+            intensity=intensity,
+            intensity_scale=intensity_scale(sample[intensity].astype(float)) if intensity else (0.0, 1.0),
+            rgb=rgb,
+            rgb_factor=_colour_factor(sample, rgb) if rgb else 1.0,
+        )
+
+    @property
+    def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
+        """See `Source.attributes`."""
+        used = (*COORDINATES, self.intensity, *(self.rgb or ()))
+        return tuple(
+            (name, self.layout.dtype[name].newbyteorder("="))
+            for name in self.layout.dtype.names
+            if name not in used
+        )
+
+    def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
+        """Yield all points in file order; see `Source.chunks`."""
+        progress.update(0.0, f"Reading {self.path.name}")
+        summand, factor = self.intensity_scale
+        for points, fraction in _blocks(self.path, self.layout, size):
+            if len(points):
+                yield Chunk(
+                    _columns(points, COORDINATES) - origin,
+                    to_uint16((points[self.intensity] + summand) * factor) if self.intensity else None,
+                    to_uint16(_columns(points, self.rgb) * self.rgb_factor) if self.rgb else None,
+                    {name: points[name] for name, _ in self.attributes},
+                )
+            progress.update(fraction)
+
+
+def _colour_factor(sample: np.ndarray, rgb: tuple[str, ...]) -> float:
+    by_type = {"u1": 257.0, "u2": 1.0}
+    return by_type.get(sample.dtype[rgb[0]].str[1:]) or rgb_factor(_columns(sample, rgb))
+
+
+def _columns(points: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
+    return np.stack([points[name].astype(np.float64) for name in names], axis=1)
+
+
+def _blocks(path: Path, layout: Layout, size: int) -> Iterator[tuple[np.ndarray, float]]:
+    """Yield the vertices whose coordinates are numbers, and the fraction read so far."""
+    read = _read_lines if layout.encoding == "ascii" else _read_records
+    try:
+        with path.open("rb") as stream:
+            stream.seek(layout.start)
+            for done, points in read(path, stream, layout, size):
+                finite = np.isfinite(_columns(points, COORDINATES)).all(axis=1)
+                yield points[finite], done / layout.count
+    except OSError as error:
+        raise unreadable(path, error) from error
+
+
+def _read_records(
+    path: Path, stream: BinaryIO, layout: Layout, size: int
+) -> Iterator[tuple[int, np.ndarray]]:
+    for start in range(0, layout.count, size):
+        count = min(size, layout.count - start)
+        points = np.fromfile(stream, layout.dtype, count)
+        if len(points) < count:
+            raise truncated(path, f"it announces {layout.count} points and has {start + len(points)}")
+        yield start + count, points
+
+
+def _read_lines(path: Path, stream: BinaryIO, layout: Layout, size: int) -> Iterator[tuple[int, np.ndarray]]:
+    before = len(list(islice(stream, layout.skipped)))
+    for start in range(0, layout.count, size):
+        count = min(size, layout.count - start)
+        lines = [line.decode("ascii", errors="replace") for line in islice(stream, count)]
+        if len(lines) < count:
+            raise truncated(path, f"it announces {layout.count} points and has {start + len(lines)}")
+        first = 1 + layout.header + before + start
+        values = read_numbers(path, lines, first, len(layout.dtype.names))
+        points = np.empty(count, layout.dtype)
+        for name, column in zip(layout.dtype.names, values.T):
+            points[name] = column
+        yield start + count, points
+
+
+def _read_layout(path: Path) -> Layout:
+    try:
+        with path.open("rb") as stream:
+            lines, start = _header_lines(path, stream), stream.tell()
+    except OSError as error:
+        raise unreadable(path, error) from error
+    encoding = next((words[1] for words in lines if words[0] == "format" and len(words) > 1), None)
+    if encoding not in BYTE_ORDERS:
+        raise InputError(f"{path} is a PLY of an encoding that is not known; export it again.")
+    lines_before = 0
+    for name, count, properties in _elements(path, lines):
+        if name == "vertex":
+            dtype = _vertex(path, properties, BYTE_ORDERS[encoding])
+            return Layout(encoding, start, lines_before, len(lines), count, dtype)
+        lines_before += count
+        if encoding != "ascii":
+            dtype = _record(path, properties, BYTE_ORDERS[encoding])
+            start += count * dtype.itemsize
+    raise no_points(path)
+
+
+def _header_lines(path: Path, stream: BinaryIO) -> list[list[str]]:
+    """Return the words of each line of the header."""
+    lines = []
+    for line in islice(iter(lambda: stream.readline(HEADER_LINES), b""), HEADER_LINES):
+        lines.append(line.decode("ascii", errors="replace").split() or [""])
+        if lines[0] != ["ply"]:
+            break
+        if lines[-1] == ["end_header"]:
+            return lines
+    raise InputError(f"{path} is not a PLY file; give it the extension of its format.")
+
+
+def _elements(path: Path, lines: list[list[str]]) -> list[tuple[str, int, list]]:
+    """Return name, count and properties of each element; a property is its words but the first."""
+    elements = []
+    for words in lines:
+        if words[0] == "element":
+            if len(words) != 3 or not words[2].isdecimal():
+                raise InputError(f"{path} has a header that cannot be read; export it again.")
+            elements.append((words[1], int(words[2]), []))
+        elif words[0] == "property" and elements:
+            elements[-1][2].append(words[1:])
+    return elements
+
+
+def _vertex(path: Path, properties: list[list[str]], order: str) -> np.dtype:
+    dtype = _record(path, properties, order)
+    if not set(COORDINATES) <= set(dtype.names or ()):
+        raise InputError(f"{path} has vertices without x, y and z; export it again as a point cloud.")
+    return dtype
+
+
+def _record(path: Path, properties: list[list[str]], order: str) -> np.dtype:
+    fields = []
+    for words in properties:
+        repeated = words[-1] in [name for name, _ in fields]
+        if len(words) != 2 or words[0] not in TYPES or repeated:
+            raise InputError(
+                f"{path} has the property {' '.join(words)} with its vertices or before them, "
+                "which cannot be read; export it again as a point cloud."
+            )
+        fields.append((words[1], order + TYPES[words[0]]))
+    return np.dtype(fields)

@@ -1,0 +1,1 @@
+"""Points sorted into tiles, and thinned."""

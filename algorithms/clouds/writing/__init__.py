@@ -1,0 +1,1 @@
+"""Clouds written to files: chosen, labelled or transformed points."""

@@ -1,0 +1,59 @@
+"""Take noise off a region: points among large triangles of its Delaunay triangulation."""
+
+import numpy as np
+
+from ...geometry.triangulation import Mesh, triangulate
+
+RINGS = 3
+"""Rings of neighbours around removed points that are triangulated anew."""
+
+
+def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int) -> np.ndarray:
+    """Tell which points of a region are no noise.
+
+    Noise is a point that belongs to more than `count` (eta) triangles that are larger than `factor`
+    times the mean (delta). Each round triangulates what the one before left, where it removed
+    something, and they end when nothing is removed.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Of the n points of the region.
+    factor : float
+        delta over the mean area m of the triangles; 3 in the paper.
+    count : int
+        eta; 5 in the paper.
+    rounds : int
+        At most; about 10 in the paper.
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+    """
+    points = mesh.points
+    kept = np.ones(len(points), bool)
+    judged, around = np.arange(len(points)), np.arange(len(points))
+    largest = factor * float(mesh.areas.mean()) if len(mesh.triangles) else 0.0
+    for _ in range(rounds):
+        large = mesh.triangles[mesh.areas > largest]
+        attached = np.bincount(large.ravel(), minlength=len(around)) > count
+        removed = np.intersect1d(around[attached], judged, assume_unique=True)
+        if not len(removed):
+            break
+        kept[removed] = False
+        near = _rings(mesh, np.isin(around, removed, assume_unique=True))
+        left = kept[around]
+        judged, around = around[near[0] & left], around[near[1] & left]
+        mesh = triangulate(points[around])
+    return kept
+
+
+def _rings(mesh: Mesh, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return which points are neighbours of the chosen ones, and which are near enough to matter."""
+    rings = [chosen]
+    for _ in range(RINGS):
+        touched = rings[-1][mesh.triangles].any(axis=1)
+        wider = rings[-1].copy()
+        wider[mesh.triangles[touched].ravel()] = True
+        rings.append(wider)
+    return rings[1], rings[-1]

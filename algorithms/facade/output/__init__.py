@@ -1,0 +1,1 @@
+"""The layers, the schedule and the drawing of a facade."""

@@ -1,0 +1,129 @@
+"""The elevation as layers: in the plane of the drawing, and in space."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+from rasterio.crs import CRS
+from shapely.geometry import MultiPolygon, Polygon
+
+from ...vector import write_vector
+from ..elevation import Detail, Elevation, Frame
+
+WALL, UNSEEN = "wall", "unseen"
+"""Kinds of features besides those of the details."""
+
+ELEVATION_CRS = CRS.from_wkt('LOCAL_CS["Facade elevation",UNIT["metre",1],AXIS["u",EAST],AXIS["v",NORTH]]')
+"""u to the right, v up, in metres; nowhere on earth."""
+
+FRAME_FIELDS = dict.fromkeys(("x0", "y0", "z0", "azimuth", "tilt"), "float:24.15")
+"""What brings u, v back to the site, in every feature."""
+
+FIELDS = {
+    "id": "int",
+    "kind": "str:16",
+    "shape": "str:10",
+    "width": "float:12.4",
+    "height": "float:12.4",
+    "sill": "float:12.4",
+    "area": "float:14.5",
+    "w_std": "float:12.5",
+    "h_std": "float:12.5",
+    "std_left": "float:12.5",
+    "std_right": "float:12.5",
+    "std_bottom": "float:12.5",
+    "std_top": "float:12.5",
+    "depth": "float:12.4",
+    "rms": "float:12.5",
+    "points": "int",
+    "red": "int",
+    "green": "int",
+    "blue": "int",
+    "intensity": "float:12.1",
+    **FRAME_FIELDS,
+}
+"""Fields of both layers, null where a value is not known."""
+
+
+def write_elevation(path: Path, elevation: Elevation) -> None:
+    """Write wall, details and unseen places as polygons in u, v."""
+    features = [(_multi(shape), values) for shape, values in _features(elevation)]
+    write_vector(path, "MultiPolygon", FIELDS, features, ELEVATION_CRS)
+
+
+def write_details(path: Path, elevation: Elevation, crs: Optional[CRS]) -> None:
+    """Write the same polygons in space, on the plane of the wall, with the areas that they have there."""
+    features = [(in_space(_multi(shape), elevation.frame), values) for shape, values in _features(elevation)]
+    write_vector(path, "3D MultiPolygon", FIELDS, features, crs)
+
+
+def in_space(shape: MultiPolygon, frame: Frame) -> MultiPolygon:
+    """Return polygons in u, v as polygons in x, y, z."""
+    return MultiPolygon(
+        [
+            Polygon(_lifted(part.exterior, frame), [_lifted(ring, frame) for ring in part.interiors])
+            for part in shape.geoms
+        ]
+    )
+
+
+def frame_values(frame: Frame) -> dict:
+    """Return the frame by the names of its fields."""
+    x, y, z = (float(value) for value in frame.origin)
+    return {"x0": x, "y0": y, "z0": z, "azimuth": frame.azimuth, "tilt": frame.tilt}
+
+
+def known(value: Optional[float]) -> Optional[float]:
+    """Return a value, or None if it is not a number."""
+    return None if value is None or math.isnan(value) else value
+
+
+def _features(elevation: Elevation) -> Iterator:
+    """Yield shapes and values: the wall, then what lies on it."""
+    frame = frame_values(elevation.frame)
+    nothing = dict.fromkeys(FIELDS)
+    if not elevation.wall.is_empty:
+        yield elevation.wall, {**nothing, **_size(elevation.wall, WALL), **frame}
+    for place in elevation.unseen:
+        yield place, {**nothing, **_size(place, UNSEEN), **frame}
+    for detail in elevation.details:
+        yield detail.outline, {**nothing, **_values(detail), **frame}
+
+
+def _size(shape, kind: str) -> dict:
+    left, bottom, right, top = shape.bounds
+    return {"kind": kind, "width": right - left, "height": top - bottom, "sill": bottom, "area": shape.area}
+
+
+def _values(detail: Detail) -> dict:
+    edges = detail.edges
+    red, green, blue = detail.colour or (None, None, None)
+    return {
+        **_size(detail.outline, detail.kind),
+        "id": detail.number,
+        "shape": detail.shape,
+        "w_std": known(detail.width_std),
+        "h_std": known(detail.height_std),
+        "std_left": known(edges.left),
+        "std_right": known(edges.right),
+        "std_bottom": known(edges.bottom),
+        "std_top": known(edges.top),
+        "depth": known(detail.depth),
+        "rms": known(detail.rms),
+        "points": detail.points,
+        "red": red if red is None else round(red),
+        "green": green if green is None else round(green),
+        "blue": blue if blue is None else round(blue),
+        "intensity": detail.intensity,
+    }
+
+
+def _multi(shape) -> MultiPolygon:
+    return shape if isinstance(shape, MultiPolygon) else MultiPolygon([shape])
+
+
+def _lifted(ring, frame: Frame) -> np.ndarray:
+    uv = np.array(ring.coords)[:, :2]
+    return frame.world(np.column_stack([uv, np.zeros(len(uv))]))

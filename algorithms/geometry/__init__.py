@@ -1,0 +1,1 @@
+"""Lines, arcs, circles, polygons and triangulations in the plane."""

@@ -1,0 +1,1 @@
+"""The least squares adjustment and its statistics."""

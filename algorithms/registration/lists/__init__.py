@@ -1,0 +1,1 @@
+"""Lists of points: surveyed control points, and targets of a scan."""

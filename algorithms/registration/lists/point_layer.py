@@ -1,0 +1,164 @@
+"""Lists of points as vector layers: points with Z, or with a field of heights."""
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Optional
+
+import fiona
+import numpy as np
+from fiona.errors import FionaError
+
+from ...clouds.formats.normals import simplified
+from ...errors import InputError
+from ...reference_systems import parse_layer_wkt
+from .point_rows import ROLES, Rows
+
+SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
+
+
+def read_layer(path: Path, layer: Optional[str]) -> Rows:
+    """Read a list of points from a file of vector layers.
+
+    Raises
+    ------
+    InputError
+        If it is no such file, has several layers of points and `layer` names none of them, or its features
+        are not points with heights in metres.
+    OSError
+        If the system does not let us read it.
+    """
+    with _opened(path, layer) as features:
+        return read_features(str(path), map(_point_and_attributes, features), features.crs_wkt)
+
+
+def list_name(path: Path, layer: Optional[str]) -> str:
+    """Return the stem of the file, or the layer's name if the file has several layers of points."""
+    with _gdal_errors_named(path):
+        return layer if layer and len(_point_layers(path)) > 1 else path.stem
+
+
+def read_features(source: str, features: Iterable, wkt: str) -> Rows:
+    """Make rows of features; see `point_list.points_of_features`.
+
+    Raises
+    ------
+    InputError
+        If they are not points with heights in metres.
+    """
+    points, attributes = [], []
+    for place, (point, values) in enumerate(features, start=1):
+        if point is None:
+            raise InputError(f"Feature {place} of {source} is not a single point; remove it or split it up.")
+        points.append(point)
+        attributes.append(values)
+    if not points:
+        raise InputError(f"{source} holds no points; choose another layer.")
+    xyz = _positions(source, points, attributes)
+    lost = np.flatnonzero(~np.isfinite(xyz).all(axis=1))
+    if len(lost):
+        raise InputError(
+            f"Feature {lost[0] + 1} of {source} has a coordinate that is not a number; correct or remove it."
+        )
+    names = _names(source, attributes)
+    places = tuple(f"feature {place}" for place in range(1, len(points) + 1))
+    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source))
+
+
+@contextmanager
+def _opened(path: Path, layer: Optional[str]) -> Iterator[fiona.Collection]:
+    # Of a missing file GDAL says no more than that it is missing or no layer.
+    path.stat()
+    with _gdal_errors_named(path), fiona.open(path, layer=_chosen(path, layer)) as features:
+        yield features
+
+
+def _chosen(path: Path, layer: Optional[str]) -> str:
+    layers = _point_layers(path)
+    if layer in layers:
+        return layer
+    listed = ", ".join(layers)
+    if layer:
+        raise InputError(f"{path} has no layer {layer} of points; choose among: {listed or 'none'}.")
+    if not layers:
+        raise InputError(f"{path} has no layer of points; choose another file.")
+    if len(layers) > 1:
+        raise InputError(
+            f"{path} has several layers of points ({listed}); write {path.name}|layername={layers[0]}."
+        )
+    return layers[0]
+
+
+def _point_layers(path: Path) -> list[str]:
+    layers = []
+    for name in fiona.listlayers(path):
+        with fiona.open(path, layer=name) as features:
+            kind = features.schema["geometry"]
+        # A text format only tells what it holds when it is read.
+        if "Point" in kind or kind == "Unknown":
+            layers.append(name)
+    return layers
+
+
+@contextmanager
+def _gdal_errors_named(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except (FionaError, RuntimeError) as error:
+        raise InputError(f"{path} cannot be read as a layer ({error}); save it again.") from error
+
+
+def _point_and_attributes(feature: fiona.Feature) -> tuple[Optional[tuple], dict]:
+    geometry = feature["geometry"]
+    kind = geometry["type"] if geometry else None
+    coordinates = geometry["coordinates"] if geometry else ()
+    if kind == "MultiPoint" and len(coordinates) == 1:
+        kind, coordinates = "Point", coordinates[0]
+    return coordinates if kind == "Point" else None, dict(feature["properties"])
+
+
+def _positions(source: str, points: list[tuple], attributes: list[dict]) -> np.ndarray:
+    if all(len(point) == 3 for point in points):
+        return np.array(points, dtype=np.float64)
+    field = next(iter(_fields(attributes, "z")), None)
+    if field is None:
+        raise InputError(
+            f"The points of {source} have no heights; give them Z values, or a field of numbers called z."
+        )
+    return np.array([[*point[:2], _number(values[field])] for point, values in zip(points, attributes)])
+
+
+def _number(value: object) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return np.nan
+
+
+def _fields(attributes: list[dict], role: str) -> list[str]:
+    """Return the fields called like `role`, the most telling name first."""
+    found = {}
+    for field in attributes[0]:
+        found.setdefault(simplified(field), field)
+    return [found[alias] for alias in ROLES[role] if alias in found]
+
+
+def _names(source: str, attributes: list[dict]) -> Optional[tuple[str, ...]]:
+    """Return the names of the points, None if there are none."""
+    columns = [[_text(values[field]) for values in attributes] for field in _fields(attributes, "name")]
+    columns = [names for names in columns if any(names)]
+    if not columns:
+        return None
+    # QGIS gives a new shapefile a field called id, which few fill in.
+    best = next((names for names in columns if all(names) and len(set(names)) == len(names)), columns[0])
+    if "" in best:
+        raise InputError(f"Feature {best.index('') + 1} of {source} has no name; give it one.")
+    return tuple(best)
+
+
+def _text(value: object) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float) and value.is_integer():
+        return str(int(value))
+    return str(value).strip()

@@ -1,0 +1,135 @@
+"""Lists of points: surveyed control points, and targets picked in a scan."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional, Union
+
+import numpy as np
+from rasterio.crs import CRS
+
+from ...clouds.source import unreadable
+from ...errors import InputError
+from .point_layer import SUFFIXES, list_name, read_features, read_layer
+from .point_rows import Rows
+from .point_text import read_text
+
+
+@dataclass(frozen=True)
+class PointList:
+    """Named points.
+
+    Attributes
+    ----------
+    name : str
+        Of the list; for a scan, the stem of its file.
+    names : tuple of str
+        Of the points, each once; the 1-based row where the file has no names.
+    xyz : ndarray of float64, shape (n, 3)
+        Metres.
+    named : bool
+        Whether the names are the file's own.
+    crs : CRS or None
+        That the file names.
+    warnings : tuple of str
+        What the user should know about the file, in sentences.
+    path : Path or None
+        The file it was read from, if it is one.
+    """
+
+    name: str
+    names: tuple[str, ...]
+    xyz: np.ndarray
+    named: bool = True
+    crs: Optional[CRS] = None
+    warnings: tuple[str, ...] = ()
+    path: Optional[Path] = None
+
+
+def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> PointList:
+    """Read a list of points from a text file or a vector layer, by extension.
+
+    Parameters
+    ----------
+    path : str or Path
+        A shapefile, GeoPackage, GeoJSON or FlatGeobuf of points with heights; anything else is text with
+        the columns x y z or name x y z, or with a header.
+    layer : str, optional
+        Which layer of a GeoPackage.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, holds no points or can be read in more than one way, if its coordinates
+        are not metres, or if a name stands for two points.
+    """
+    path = Path(path)
+    try:
+        is_layer = path.suffix.lower() in SUFFIXES
+        rows = read_layer(path, layer) if is_layer else read_text(path)
+        name = list_name(path, layer) if is_layer else path.stem
+    except OSError as error:
+        raise unreadable(path, error) from error
+    return _point_list(name, rows, path)
+
+
+def points_of_features(
+    name: str, source: str, features: Iterable, wkt: str, path: Optional[Path] = None
+) -> PointList:
+    """Make a list of the features of a layer that a program has open.
+
+    Parameters
+    ----------
+    name : str
+        Of the list.
+    source : str
+        What messages call the layer.
+    features : iterable of (tuple of float or None, dict)
+        For each feature its coordinates, two or three, None if it is no single point; and its attributes
+        by field, None for null.
+    wkt : str
+        The coordinate reference system; empty if there is none.
+    path : Path, optional
+        The file of the layer.
+
+    Raises
+    ------
+    InputError
+        As `read_point_list`.
+    """
+    return _point_list(name, read_features(source, features, wkt), path)
+
+
+def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
+    kept, merged = _distinct(rows)
+    names = tuple(str(row) for row in range(1, len(rows.xyz) + 1)) if rows.names is None else rows.names
+    return PointList(
+        name=name,
+        names=tuple(names[row] for row in kept),
+        xyz=rows.xyz[kept],
+        named=rows.names is not None,
+        crs=rows.crs,
+        warnings=rows.warnings + merged,
+        path=path,
+    )
+
+
+def _distinct(rows: Rows) -> tuple[list[int], tuple[str, ...]]:
+    """Return the rows to keep, and a warning if a point stands more than once."""
+    if rows.names is None:
+        return list(range(len(rows.xyz))), ()
+    seen: dict[str, int] = {}
+    repeated: dict[str, None] = {}
+    for row, name in enumerate(rows.names):
+        first = seen.setdefault(name, row)
+        if not np.array_equal(rows.xyz[first], rows.xyz[row]):
+            raise InputError(
+                f"The name {name} stands for two points of {rows.source}, in {rows.places[first]} and "
+                f"{rows.places[row]}; rename or remove one of them."
+            )
+        if first != row:
+            repeated[name] = None
+    if not repeated:
+        return list(seen.values()), ()
+    listed = ", ".join(repeated)
+    return list(seen.values()), (f"Points of {rows.source} that are listed repeatedly count once: {listed}.",)

@@ -1,0 +1,46 @@
+"""The rows of a list of points as they stand in a file, before their names are judged."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from rasterio.crs import CRS
+
+from ...clouds.formats.text_layout import NAMES
+
+# What columns and fields are called, in the spelling of `clouds.normals.simplified`.
+ROLES = {
+    **NAMES,
+    "name": (
+        *("name", "pointname", "ptname", "label", "labelname", "point", "pt", "punkt", "pkt", "target"),
+        *("pointid", "ptid", "pointno", "pointnumber", "ptno", "ptnr", "punktnummer", "punktnr", "pktnr"),
+        *("id", "nr", "no", "number", "nummer", "num", "localindex", "globalindex"),
+        *("nr.", "no.", "pointno.", "ptno.", "ptnr.", "punktnr.", "pktnr."),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Points as they are written.
+
+    Attributes
+    ----------
+    source : str
+        The file or layer, for messages.
+    places : tuple of str
+        Where each point stands, as 'line 7'.
+    names : tuple of str, or None
+        None if there are none.
+    xyz : ndarray of float64, shape (n, 3)
+        Metres, finite.
+    crs : CRS or None
+    warnings : tuple of str
+    """
+
+    source: str
+    places: tuple[str, ...]
+    names: Optional[tuple[str, ...]]
+    xyz: np.ndarray
+    crs: Optional[CRS] = None
+    warnings: tuple[str, ...] = ()

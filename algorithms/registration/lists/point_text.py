@@ -1,0 +1,234 @@
+"""Lists of points as text: x y z or name x y z, as surveyors, programs and spreadsheets write them."""
+
+import io
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ...clouds.formats.text_layout import (
+    BYTE_ORDER_MARKS,
+    NUMBER,
+    Dialect,
+    decimal_sign,
+    delimiter_and_width,
+    is_comment,
+    read_preamble,
+    split,
+)
+from ...errors import InputError
+from .point_rows import ROLES, Rows
+
+LARGEST = 2**20  # bytes
+OTHER_UNIT = re.compile(r"[\[(](mm|cm|dm|km|in|ft|us-?ft|feet)[\])]", re.IGNORECASE)
+DELIMITERS = (";", "\t", ",", " ")
+REMEDY = "name the columns in a first line, as 'name x y z' or 'x y z intensity'."
+
+
+@dataclass(frozen=True)
+class ListColumns:
+    """Where the values stand; columns count from 0.
+
+    Attributes
+    ----------
+    name : tuple of int
+        Several where blanks separate columns and stand in names too, as in 'Point #0'; empty if there are
+        no names.
+    xyz : tuple of 3 int
+    """
+
+    name: tuple[int, ...]
+    xyz: tuple[int, ...]
+
+    @property
+    def used(self) -> tuple[int, ...]:
+        """All columns that are read."""
+        return (*self.name, *self.xyz)
+
+
+def read_text(path: Path) -> Rows:
+    """Read a list of points from a text file.
+
+    Raises
+    ------
+    InputError
+        If the file is not a list of points, has a line that is none, or can be read in more than one way.
+    OSError
+        If the system does not let us read it.
+    """
+    lines = _lines(path)
+    delimiter, width = delimiter_and_width(path, lines)
+    points = [not _is_remark(line, delimiter, width) and _numbers(line, delimiter) >= 3 for line in lines]
+    first = points.index(True)
+    _refuse_lost_points(path, lines[:first])
+    header, _ = read_preamble(path, lines[:first], delimiter, width, ROLES)
+    numbered = enumerate(lines[first:], start=first + 1)
+    rows = {
+        number: split(line, delimiter) for number, line in numbered if not _is_remark(line, delimiter, width)
+    }
+    regular = [row for row in rows.values() if len(row) == width]
+    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter)
+    _refuse_other_units(path, [split(line, delimiter) for line in lines[:first]], columns)
+    coordinates = [[row[column] for column in columns.xyz] for row in regular]
+    dialect = Dialect(delimiter, decimal_sign(path, coordinates, delimiter, header), width)
+    _refuse_bad_rows(path, rows, dialect, columns)
+    return Rows(
+        source=str(path),
+        places=tuple(f"line {number}" for number in rows),
+        names=_names(rows.values(), columns.name) if columns.name else None,
+        xyz=np.array([[dialect.number(row[column]) for column in columns.xyz] for row in rows.values()]),
+        warnings=_warnings(path, rows.values(), columns),
+    )
+
+
+def _lines(path: Path) -> list[str]:
+    size = path.stat().st_size
+    if size > LARGEST:
+        raise InputError(
+            f"{path} is too large for a list of points ({size / 2**20:.0f} MB); choose the list, not a cloud."
+        )
+    content = path.read_bytes()
+    encoding = next((name for mark, name in BYTE_ORDER_MARKS.items() if content.startswith(mark)), "utf-8")
+    if encoding != "utf-16" and b"\0" in content:
+        raise InputError(f"{path} is not a text file; export the list of points as text or as a layer.")
+    try:
+        text = content.decode(encoding)
+    except UnicodeDecodeError:
+        # Every byte is a letter there, so that different names stay different.
+        text = content.decode("latin-1")
+    return list(io.StringIO(text, newline=None))
+
+
+def _is_remark(line: str, delimiter: str, width: int) -> bool:
+    fields = split(line, delimiter)
+    # After a semicolon stands a remark, or a point whose name is missing.
+    nameless = len(fields) == width and fields[:1] == [""] and _numbers(line, delimiter) >= 3
+    return is_comment(line) and not nameless
+
+
+def _numbers(line: str, delimiter: str) -> int:
+    return sum(bool(NUMBER.fullmatch(field)) for field in split(line, delimiter))
+
+
+def _refuse_lost_points(path: Path, preamble: list[str]) -> None:
+    """Refuse a point, cut off or separated otherwise, that would pass for a title."""
+    for number, line in enumerate(preamble, start=1):
+        if not is_comment(line) and any(_numbers(line, delimiter) > 1 for delimiter in DELIMITERS):
+            raise InputError(
+                f"Line {number} of {path} is neither a point like those below nor a header; "
+                "correct it, or put # before it."
+            )
+
+
+def _columns_by_name(header: dict[str, int]) -> ListColumns:
+    name = (header["name"],) if "name" in header else ()
+    return ListColumns(name, (header["x"], header["y"], header["z"]))
+
+
+def _refuse_other_units(path: Path, preamble: list[list[str]], columns: ListColumns) -> None:
+    for fields in preamble:
+        units = [OTHER_UNIT.search(fields[column]) for column in columns.xyz if column < len(fields)]
+        if len(units) == 3 and any(units):
+            unit = next(match.group(1) for match in units if match)
+            raise InputError(f"The header of {path} gives coordinates in {unit}; convert them to metres.")
+
+
+def _columns_by_content(path: Path, rows: list[list[str]], delimiter: str) -> ListColumns:
+    """Tell names and coordinates apart by what `rows`, of one width, look like."""
+    # Six whole numbers between commas may be three with decimal commas; fewer cannot.
+    if delimiter == "," and len(rows[0]) > 5:
+        decimal_sign(path, rows, delimiter, {})
+    shares = np.mean([[bool(NUMBER.fullmatch(field)) for field in row] for row in rows], axis=0)
+    numeric = np.flatnonzero(shares >= 0.5).tolist()
+    if len(numeric) < 3:
+        raise InputError(f"{path} has fewer than three columns of numbers; export it as name x y z.")
+    name = list(range(numeric[0]))
+    texts = {tuple(row[column] for column in name) for row in rows}
+    named = len(rows) > 1 and len(texts) == len(rows)
+    if len(numeric) > 3 and not named and _are_names(path, rows, numeric):
+        name.append(numeric.pop(0))
+    elif len(numeric) == 3 and not name:
+        _refuse_missing_heights(path, rows, numeric)
+    if len(name) > 1 and delimiter != " ":
+        raise InputError(f"It is not clear which column of {path} holds the names; {REMEDY}")
+    return ListColumns(tuple(name), tuple(numeric[:3]))
+
+
+def _are_names(path: Path, rows: list[list[str]], numeric: list[int]) -> bool:
+    """Tell whether the first of four or more columns of numbers holds names, not coordinates."""
+    labels = _column(rows, numeric[0])
+    numbers = [label for label in labels if NUMBER.fullmatch(label)]
+    whole = [label for label in numbers if label.isdecimal()]
+    some_are_words = len(numbers) < len(labels)
+    if len(whole) == len(numbers):
+        padded = any(label.startswith("0") and len(label) > 1 for label in whole)
+        fractional = all(_have_decimals(rows, column) for column in numeric[1:4])
+        if some_are_words or padded or fractional or _count_up(labels):
+            return True
+    # Some programs write 5 for 5.0, but they do so in the third coordinate as well.
+    elif not some_are_words and (not whole or not _have_decimals(rows, numeric[3])):
+        return False
+    raise InputError(f"The first column of {path} can be names or coordinates; {REMEDY}")
+
+
+def _refuse_missing_heights(path: Path, rows: list[list[str]], numeric: list[int]) -> None:
+    fractional = all(_have_decimals(rows, column) for column in numeric[1:])
+    if fractional and _count_up(_column(rows, numeric[0])):
+        raise InputError(
+            f"{path} seems to hold numbers of points with x and y but no z; add the heights, "
+            "or name the columns in a first line, as 'x y z'."
+        )
+
+
+def _column(rows: list[list[str]], column: int) -> list[str]:
+    return [row[column] for row in rows]
+
+
+def _have_decimals(rows: list[list[str]], column: int) -> bool:
+    return any("." in field or "," in field for field in _column(rows, column))
+
+
+def _count_up(labels: list[str]) -> bool:
+    """Tell whether labels count the rows, from 0 or 1."""
+    counts = [[str(row + start) for row in range(len(labels))] for start in (0, 1)]
+    return len(labels) > 2 and labels in counts
+
+
+def _refuse_bad_rows(path: Path, rows: dict[int, list[str]], dialect: Dialect, columns: ListColumns) -> None:
+    after = max(columns.used) + 1
+    regular = [row for row in rows.values() if len(row) == dialect.width]
+    remarks = not any(_has_number(row, after) for row in regular)
+    for number, row in rows.items():
+        problem = _problem(
+            row, dialect, columns, remarks and len(row) >= after and not _has_number(row, after)
+        )
+        if problem:
+            raise InputError(f"Line {number} of {path} {problem}; correct or remove that line.")
+
+
+def _has_number(row: list[str], column: int) -> bool:
+    return len(row) > column and bool(NUMBER.fullmatch(row[column]))
+
+
+def _problem(row: list[str], dialect: Dialect, columns: ListColumns, only_remarks_follow: bool) -> str:
+    """Return what is wrong with a row, or nothing."""
+    if len(row) != dialect.width and not only_remarks_follow:
+        return f"has {len(row)} columns instead of {dialect.width}"
+    for column in columns.xyz:
+        if not np.isfinite(dialect.number(row[column])):
+            return f"has '{row[column]}' where a number is expected"
+    if not all(row[column] for column in columns.name):
+        return "has no name"
+    return ""
+
+
+def _names(rows: Iterable[list[str]], columns: tuple[int, ...]) -> tuple[str, ...]:
+    return tuple(" ".join(row[column] for column in columns) for row in rows)
+
+
+def _warnings(path: Path, rows: Iterable[list[str]], columns: ListColumns) -> tuple[str, ...]:
+    left_out = any(field for row in rows for column, field in enumerate(row) if column not in columns.used)
+    read = "name, x, y and z" if columns.name else "x, y and z"
+    return (f"Only {read} of {path} were read; its further columns were left out.",) if left_out else ()

@@ -1,0 +1,1 @@
+"""Which target of a scan is which control point."""

@@ -1,0 +1,1 @@
+"""The layers, the transformations and the report of a registration."""

@@ -1,0 +1,1 @@
+"""The centrelines of walls."""

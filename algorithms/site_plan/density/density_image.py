@@ -1,0 +1,308 @@
+"""The density image of a cloud, with the heights that tell a wall from a floor.
+
+Mueller et al. 2012, section 2.1: the cloud is thinned to a minimum distance and each point spreads over the
+pixels around it. The heights are read from all points on the way.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from affine import Affine
+from numba import njit
+from rasterio.crs import CRS
+
+from ...clouds.cloud import Cloud, names_of
+from ...clouds.thinning.thinning import thin_tiles, tile_edge
+from ...clouds.thinning.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
+from ...errors import InputError
+from ...progress import Progress
+from ..walls.height_gate import Heights
+from .ceiling import hanging_height
+from .foliage import PARTS, scatter, spread_of
+from .grid import Grid, make_grid, site_tiles
+from .ground import CELL, LowestSurface, at_pixels, ground_surface
+from .height_range import HeightRange, cut
+
+WINDOW = (0.3, 2.3)
+"""Heights above the local ground, in metres, between which a column counts as occupied."""
+
+BIN = 0.1
+"""Height of the bins that are occupied or not, in metres."""
+
+BINS = round((WINDOW[1] - WINDOW[0]) / BIN)
+
+ALL_BINS = 64
+"""Number of bins that are noted: up to 6.7 m above the local ground, for the ceiling."""
+
+
+@dataclass(frozen=True)
+class DensityImage:
+    """A density image; arrays of float32, shape (rows, columns), the top row first.
+
+    Attributes
+    ----------
+    density : ndarray
+        Points per pixel, spread by inverse distance; nan where no point contributes.
+    occupied : ndarray
+        Occupied height in metres: `BIN` times the number of bins in `WINDOW` that hold a point.
+    base, top : ndarray
+        Height of the lowest and the highest point in metres; nan where the pixel holds none.
+    ground : ndarray
+        Height of the local ground in metres, or of the cut above it.
+    spread : ndarray
+        Share of the pixel over which the points in `WINDOW` are spread; nan where they are few.
+    hanging : ndarray
+        Height in metres that points fill right below a ceiling; nan where there is none.
+    transform : Affine
+        From (column, row) to world coordinates.
+    crs : CRS or None
+    points_in, points_kept : int
+        Points before and after thinning.
+    warnings : tuple of str
+    """
+
+    density: np.ndarray
+    occupied: np.ndarray
+    base: np.ndarray
+    top: np.ndarray
+    ground: np.ndarray
+    spread: np.ndarray
+    hanging: np.ndarray
+    transform: Affine
+    crs: CRS
+    points_in: int
+    points_kept: int
+    warnings: tuple
+
+    @property
+    def heights(self) -> Heights:
+        """The bands that tell heights."""
+        return Heights(self.occupied, self.base, self.top, self.ground, self.spread, self.hanging)
+
+
+def density_image(
+    cloud: Cloud,
+    spacing: float = 0.05,
+    pixel_size: float = 0.10,
+    neighbourhood: int = 1,
+    progress: Progress = Progress(),
+    heights: HeightRange = HeightRange(),
+) -> DensityImage:
+    """Compute the density image of a cloud.
+
+    Parameters
+    ----------
+    cloud : Cloud
+        One site.
+    spacing : float
+        Minimum distance between the points that are counted, in metres.
+    pixel_size : float
+        Metres.
+    neighbourhood : int
+        A point spreads over (2 * neighbourhood + 1) squared pixels; 0 gives the plain histogram.
+    progress : Progress
+        Reports and cancels.
+    heights : HeightRange
+        Points outside are left out. The ground is looked for in what is left, unless it is the ground
+        that the range is counted from; above that, the cut stands for it.
+
+    Raises
+    ------
+    InputError
+        If no point is left, all points have the same position, most lie far from each other, or
+        the raster would be too large.
+    """
+    with sort_and_image(cloud, spacing, pixel_size, neighbourhood, progress, heights) as (image, _points):
+        return image
+
+
+@dataclass(frozen=True)
+class SortedPoints:
+    """The points of a site on disk, for as long as `sort_and_image` is open.
+
+    Attributes
+    ----------
+    store : TileStore
+    keys : list of tuple of int
+        The tiles of the site.
+    grid : Grid
+        The pixels of the density image.
+    """
+
+    store: TileStore
+    keys: list
+    grid: Grid
+
+
+@contextmanager
+def sort_and_image(
+    cloud: Cloud,
+    spacing: float = 0.05,
+    pixel_size: float = 0.10,
+    neighbourhood: int = 1,
+    progress: Progress = Progress(),
+    heights: HeightRange = HeightRange(),
+) -> Iterator[tuple[DensityImage, SortedPoints]]:
+    """Compute the density image as `density_image` does, and keep the sorted points for a further pass.
+
+    Yields
+    ------
+    image : DensityImage
+    points : SortedPoints
+    """
+    with TileStore(tile_edge(spacing)) as store:
+        fill(store, cloud, progress.part(0.0, 0.45))
+        keys, stray = site_tiles(store)
+        if stray > store.point_count / 2:
+            raise InputError(
+                f"{names_of(cloud.sources)}: {stray} of {store.point_count} points lie far from each "
+                "other; check that the coordinates are metres, or cut the cloud to the site."
+            )
+        if heights.is_limited and not heights.above_ground:
+            keys = cut(store, keys, heights, cloud, progress.part(0.45, 0.5))
+        low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
+        if (low == high).all():
+            raise InputError(f"{names_of(cloud.sources)}: all points have the same position; is it a scan?")
+        grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
+        ground = ground_surface(surface, below=math.isfinite(heights.low) and not heights.above_ground)
+        layers = _Layers(grid, at_pixels(ground, surface.grid, grid))
+        if heights.is_limited and heights.above_ground:
+            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, layers.ground)
+            layers.ground += max(heights.low, 0.0)
+        kept = 0
+        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0)):
+            layers.add(tile, rows, neighbourhood)
+            kept += len(rows)
+        warnings = (
+            *cloud.warnings,
+            *stray_warning(cloud, stray, store.point_count),
+            *_doubts(high - low, spacing, pixel_size),
+        )
+        image = _image(layers, cloud.crs, store.point_count, kept, warnings)
+        yield image, SortedPoints(store, keys, grid)
+
+
+def _doubts(size: np.ndarray, spacing: float, pixel_size: float) -> Iterator[str]:
+    """Yield what the user may not have meant."""
+    if (size[:2] < to_lattice(1.0)).all():
+        yield "The points lie within a metre; check that the coordinates are metres, not degrees."
+    if spacing > pixel_size:
+        yield f"SPACING {spacing:g} m is wider than PIXEL_SIZE {pixel_size:g} m, so walls have gaps."
+
+
+def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tuple:
+    """Return the smallest and largest x, y, z of the site, and its lowest surface.
+
+    A site too large for pixels of `pixel` lattice steps is refused at once.
+    """
+    columns, rows = np.array(keys).T
+    low = np.array([columns.min(), rows.min()]) * store.edge
+    high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
+    make_grid(low, high, pixel, 0)
+    surface = LowestSurface(make_grid(low, high, to_lattice(CELL), 0))
+    least, most = [], []
+    for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
+        surface.add(tile)
+        offset = np.array([*tile.corner, 0])
+        least.append(offset + [tile.xyz[:, axis].min() for axis in range(3)])
+        most.append(offset + [tile.xyz[:, axis].max() for axis in range(3)])
+    return np.min(least, axis=0), np.max(most, axis=0), surface
+
+
+class _Layers:
+    """Accumulators of the bands; rows count from the bottom."""
+
+    def __init__(self, grid: Grid, ground: np.ndarray) -> None:
+        self.grid = grid
+        self.ground = ground
+        self.density = np.zeros(grid.shape)
+        self.bits = np.zeros(grid.shape, np.uint64)
+        self.parts = np.zeros((grid.height * PARTS, grid.width * PARTS), np.uint8)
+        self.base = np.full(grid.shape, np.inf, np.float32)
+        self.top = np.full(grid.shape, -np.inf, np.float32)
+
+    def add(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
+        """Spread the kept points of a tile, and note the heights of all."""
+        x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
+        chosen = tile.xyz[kept]
+        _spread(self.density, chosen, x0, y0, self.grid.step, neighbourhood)
+        scatter(self.parts, self.ground, chosen, x0, y0, self.grid.step, LATTICE, *WINDOW)
+        heights = (self.ground, self.bits, self.base, self.top)
+        _stack(*heights, tile.xyz, x0, y0, self.grid.step, LATTICE, WINDOW[0], ALL_BINS, BIN)
+
+
+@njit(nogil=True, cache=True)
+def _spread(density, xyz, x0, y0, step, neighbourhood):
+    """Add each point with weights inverse to the distances from the pixel centres, of sum 1."""
+    width = 2 * neighbourhood + 1
+    weights = np.empty((width, width))
+    for i in range(len(xyz)):
+        x, y = (xyz[i, 0] + x0) / step, (xyz[i, 1] + y0) / step
+        column, row = int(np.floor(x)), int(np.floor(y))
+        x -= column + 0.5
+        y -= row + 0.5
+        if x == 0.0 and y == 0.0:
+            density[row, column] += 1.0
+            continue
+        for r in range(width):
+            for c in range(width):
+                weights[r, c] = 1.0 / np.hypot(x - (c - neighbourhood), y - (r - neighbourhood))
+        weights /= weights.sum()
+        for r in range(width):
+            for c in range(width):
+                density[row + r - neighbourhood, column + c - neighbourhood] += weights[r, c]
+
+
+@njit(nogil=True, cache=True)
+def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, bins, bin_height):
+    """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
+    for i in range(len(xyz)):
+        column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
+        z = xyz[i, 2] * lattice
+        base[row, column] = min(base[row, column], z)
+        top[row, column] = max(top[row, column], z)
+        level = (z - ground[row, column] - low) / bin_height
+        if 0 <= level < bins:
+            bits[row, column] |= np.uint64(1) << np.uint64(level)
+
+
+def _occupied_bins(bits: np.ndarray) -> np.ndarray:
+    """Count the bins of `WINDOW` that hold a point, and the one or two empty ones between two that do.
+
+    A distant wall is hit by scan lines farther apart than a bin is high.
+    """
+    one, two = np.uint64(1), np.uint64(2)
+    bits = bits & np.uint64((1 << BINS) - 1)
+    between = (bits << one) & (bits >> one)
+    between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
+    bits = bits | between
+    return sum((bits >> np.uint64(k)) & one for k in range(BINS))
+
+
+def _image(layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple) -> DensityImage:
+    counts = _occupied_bins(layers.bits)
+
+    def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
+        return np.where(valid, band, np.nan).astype(np.float32)[::-1]
+
+    held = np.isfinite(layers.base)
+    pixel_size = layers.grid.step * LATTICE
+    hanging = hanging_height(layers.bits, held, WINDOW[0], BIN, pixel_size)
+    return DensityImage(
+        density=top_down(layers.density, layers.density > 0),
+        occupied=top_down(counts * BIN, layers.density > 0),
+        base=top_down(layers.base, held),
+        top=top_down(layers.top, held),
+        ground=layers.ground[::-1].astype(np.float32),
+        spread=spread_of(layers.parts)[::-1],
+        hanging=hanging[::-1],
+        transform=layers.grid.transform,
+        crs=crs,
+        points_in=points_in,
+        points_kept=kept,
+        warnings=warnings,
+    )

@@ -1,0 +1,143 @@
+"""The pixels of a site: where they lie, and how far the site reaches."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from affine import Affine
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from ...clouds.thinning.tiles import LATTICE, TileStore
+from ...errors import InputError
+
+MAX_PIXELS = 100_000_000
+"""Largest raster: a square kilometre at 10 cm; about 8 GB of memory."""
+
+GAP = 20.0
+"""Parts of a site farther apart than this, in metres, are told apart."""
+
+STRAY_SHARE = 1e-3
+"""A part with less than this share of the points is stray."""
+
+SPARSE_SHARE, SPARSE_COVER = 0.02, 0.1
+"""So is a part with less than these shares of the points and of the main part's points per tile:
+reflections are thin."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Square pixels whose edges are multiples of the pixel size.
+
+    Attributes
+    ----------
+    column, row : int
+        Number of the leftmost column and the lowest row, counted from the coordinates' origin.
+    width, height : int
+        Pixels.
+    step : int
+        Pixel size in lattice steps.
+    """
+
+    column: int
+    row: int
+    width: int
+    height: int
+    step: int
+
+    @property
+    def shape(self) -> tuple:
+        """Rows and columns."""
+        return self.height, self.width
+
+    @property
+    def corner(self) -> tuple:
+        """Lower left corner in lattice steps."""
+        return self.column * self.step, self.row * self.step
+
+    @property
+    def transform(self) -> Affine:
+        """Affine transform from (column, row from the top) to world coordinates."""
+        # Division by the lattice's reciprocal is exact where a multiplication by 1e-5 is not.
+        per_metre = round(1 / LATTICE)
+        left = self.column * self.step / per_metre
+        top = (self.row + self.height) * self.step / per_metre
+        size = self.step / per_metre
+        return Affine(size, 0.0, left, 0.0, -size, top)
+
+
+def site_tiles(store: TileStore) -> tuple:
+    """Tell the tiles of the site from those that hold stray points far away.
+
+    Tiles within `GAP` of each other are one part of the site; see `STRAY_SHARE` and `SPARSE_SHARE`
+    for the parts that are stray.
+
+    Returns
+    -------
+    keys : list of tuple of int
+        Tiles of the site.
+    stray : int
+        Number of points left out.
+    """
+    counts = store.counts()
+    keys = np.array(list(counts))
+    reach = max(round(GAP / 2 / (store.edge * LATTICE)), 1)
+    blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)
+    part = _connected(blocks)[member.ravel()]
+    points = np.bincount(part, weights=list(counts.values()))
+    share = points / points.sum()
+    cover = points / np.bincount(part)
+    sparse = (share < SPARSE_SHARE) & (cover < SPARSE_COVER * cover[np.argmax(points)])
+    stray = sparse | (share < STRAY_SHARE)
+    stray[np.argmax(points)] = False
+    kept = ~stray[part]
+    left_out = sum(n for n, keep in zip(counts.values(), kept) if not keep)
+    return [tuple(key) for key in keys[kept].tolist()], left_out + store.stray_count
+
+
+def _connected(blocks: np.ndarray) -> np.ndarray:
+    """Label blocks (n, 2) so that those that touch, by an edge or a corner, have one label."""
+    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    pairs = [
+        (i, number[x + dx, y + dy])
+        for (x, y), i in number.items()
+        for dx in (-1, 0, 1)
+        for dy in (-1, 0, 1)
+        if (x + dx, y + dy) in number
+    ]
+    return label_linked(*np.array(pairs).T, len(blocks))
+
+
+def label_linked(first: np.ndarray, second: np.ndarray, count: int) -> np.ndarray:
+    """Label things 0..count-1 so that those linked, `first` to `second` in pairs, have one label."""
+    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(count, count))
+    return connected_components(links, directed=False)[1]
+
+
+def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid:
+    """Return the grid that covers the points between two corners.
+
+    Parameters
+    ----------
+    low, high : ndarray of int64, shape (2,)
+        Smallest and largest x, y; lattice steps.
+    step : int
+        Pixel size; lattice steps.
+    margin : int
+        Pixels added on each side.
+
+    Raises
+    ------
+    InputError
+        If the raster would hold more than `MAX_PIXELS` pixels.
+    """
+    column, row = (int(value) // step - margin for value in low)
+    width = int(high[0]) // step + margin + 1 - column
+    height = int(high[1]) // step + margin + 1 - row
+    if width * height > MAX_PIXELS:
+        size = step * LATTICE
+        raise InputError(
+            f"The raster would be {width} x {height} pixels ({width * size:.0f} x "
+            f"{height * size:.0f} m at {size:g} m), more than {MAX_PIXELS:,}: raise PIXEL_SIZE, cut the "
+            "cloud to the site, or check that its coordinates are metres."
+        )
+    return Grid(column, row, width, height, step)

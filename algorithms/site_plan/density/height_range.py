@@ -1,0 +1,108 @@
+"""The heights between which a site is looked at: a storey, or a slice."""
+
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from ...clouds.cloud import Cloud, names_of
+from ...clouds.thinning.tiles import LATTICE, Tile, TileStore
+from ...errors import InputError
+from ...progress import Progress
+from .grid import Grid
+
+
+@dataclass(frozen=True)
+class HeightRange:
+    """Points below `low`, or not below `high`, are left out.
+
+    Attributes
+    ----------
+    low, high : float
+        Metres; infinite where there is no limit.
+    above_ground : bool
+        Whether they are counted from the local ground, not from the coordinates' zero.
+
+    Raises
+    ------
+    InputError
+        If `low` is not below `high`.
+    """
+
+    low: float = -math.inf
+    high: float = math.inf
+    above_ground: bool = False
+
+    def __post_init__(self) -> None:
+        if not self.low < self.high:
+            raise InputError(f"ZMIN {self.low:g} m is not below ZMAX {self.high:g} m; correct one of them.")
+
+    @property
+    def is_limited(self) -> bool:
+        """Whether any point may be left out."""
+        return math.isfinite(self.low) or math.isfinite(self.high)
+
+
+def cut(
+    store: TileStore,
+    keys: list,
+    heights: HeightRange,
+    cloud: Cloud,
+    progress: Progress,
+    grid: Optional[Grid] = None,
+    ground: Optional[np.ndarray] = None,
+) -> list:
+    """Leave out the points of a site that lie outside a range of heights.
+
+    Parameters
+    ----------
+    store : TileStore
+        All points.
+    keys : list of tuple of int
+        The tiles of the site.
+    heights : HeightRange
+        The range.
+    cloud : Cloud
+        Where the points come from, for messages.
+    progress : Progress
+        Reports and cancels.
+    grid : Grid, optional
+        Pixels of `ground`.
+    ground : ndarray of float, shape (rows, columns), optional
+        Height of the local ground in metres, if heights are counted from it; rows count from the
+        bottom.
+
+    Returns
+    -------
+    list of tuple of int
+        The tiles that still hold points.
+
+    Raises
+    ------
+    InputError
+        If none does.
+    """
+    left, reach = [], []
+    for key, tile in store.tiles(sorted(keys), progress, "Cutting by height"):
+        z = tile.xyz[:, 2] * LATTICE
+        if ground is not None:
+            z = z - ground[_pixels(tile, grid)]
+        reach += [z.min(), z.max()]
+        rows = np.flatnonzero((z >= heights.low) & (z < heights.high))
+        store.keep(key, rows)
+        if len(rows):
+            left.append(key)
+    if not left:
+        above = "" if ground is None else " above the ground"
+        raise InputError(
+            f"{names_of(cloud.sources)}: no point lies from ZMIN {heights.low:g} to ZMAX {heights.high:g} m"
+            f"{above}; the heights reach from {min(reach):.2f} to {max(reach):.2f} m{above}."
+        )
+    return left
+
+
+def _pixels(tile: Tile, grid: Grid) -> tuple:
+    """Return the row and the column of each point, rows counted from the bottom."""
+    column, row = ((tile.xyz[:, i] + tile.corner[i] - grid.corner[i]) // grid.step for i in (0, 1))
+    return row, column

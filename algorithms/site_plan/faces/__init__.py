@@ -1,0 +1,1 @@
+"""The faces of walls, fitted to the points (beyond the paper)."""

@@ -1,0 +1,1 @@
+"""The layers and the report of a site plan."""

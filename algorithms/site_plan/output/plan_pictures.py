@@ -1,0 +1,181 @@
+"""The pictures of the report of a site plan."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Optional
+
+import numpy as np
+from affine import Affine
+from shapely.geometry import Polygon
+
+from ...reporting.html import Markup, element
+from ...reporting.maps import Map
+from ...reporting.pictures import image, shrunk
+from ..site_plan import SitePlan
+from ..walls.height_gate import Gate
+from ..walls.regions import Selection
+
+MARGIN = 0.1
+"""Share of what may be wall that is shown around it."""
+
+LARGEST, THUMBNAIL = 1200, 300
+"""Most pixels of a raster that a picture is wide or high; blocks of more become one."""
+
+FACE, ROOM = "#a8321a", "#2a8a96"
+
+
+class Fate(IntEnum):
+    """What became of a pixel; the largest is shown where several share a dot of the picture."""
+
+    UNSEEN = 0
+    SURFACE = 1
+    LOW = 2
+    FOLIAGE = 3
+    FURNITURE = 4
+    FAINT = 5
+    SMALL = 6
+    MISSHAPEN = 7
+    CLOSED = 8
+    WALL = 9
+
+
+COLOURS = {
+    Fate.UNSEEN: (255, 255, 255),
+    Fate.SURFACE: (238, 241, 243),
+    Fate.LOW: (150, 205, 160),
+    Fate.FOLIAGE: (70, 140, 70),
+    Fate.FURNITURE: (185, 145, 110),
+    Fate.FAINT: (170, 190, 205),
+    Fate.SMALL: (160, 110, 200),
+    Fate.MISSHAPEN: (235, 160, 40),
+    Fate.CLOSED: (70, 150, 215),
+    Fate.WALL: (34, 48, 58),
+}
+
+
+@dataclass(frozen=True)
+class View:
+    """The part of a raster that pictures show.
+
+    Attributes
+    ----------
+    rows, columns : slice
+    world : Map
+        Of that part.
+    corners : ndarray, shape (2, 2)
+        World coordinates of its north-west and south-east corners.
+    """
+
+    rows: slice
+    columns: slice
+    world: Map
+    corners: np.ndarray
+
+    @classmethod
+    def around(cls, pixels: np.ndarray, transform: Affine) -> "View":
+        """Return the view of the pixels that are set, with a margin."""
+        places = [np.flatnonzero(pixels.any(axis=1 - axis)) for axis in (0, 1)]
+        margin = round(MARGIN * max(np.ptp(found) + 1 for found in places))
+        rows, columns = (
+            slice(max(found[0] - margin, 0), min(found[-1] + 1 + margin, size))
+            for found, size in zip(places, pixels.shape)
+        )
+        corners = np.array([transform * (columns.start, rows.start), transform * (columns.stop, rows.stop)])
+        return cls(rows, columns, Map.around(corners), corners)
+
+    def part(self, values: np.ndarray) -> np.ndarray:
+        """Return the part of an array that is shown."""
+        return values[self.rows, self.columns]
+
+    def sheet(self, rgb: np.ndarray, *parts: Markup) -> Markup:
+        """Return a map over a picture of the part."""
+        (left, top), (right, bottom) = self.world.place(self.corners)
+        return self.world.sheet(image(rgb, left, top, right - left, bottom - top), *parts)
+
+    def areas(self, outlines: Iterable, colour: str, opacity: float) -> Markup:
+        """Return polygons, filled and bordered in a colour."""
+        path = "".join(self._ring(ring) for outline in outlines for ring in _rings(outline))
+        return element(
+            "path",
+            d=path,
+            fill=colour,
+            fill_opacity=opacity,
+            fill_rule="evenodd",
+            stroke=colour,
+            stroke_width=1,
+        )
+
+    def _ring(self, ring) -> str:
+        return (
+            "M"
+            + "L".join(f"{x:.1f} {y:.1f}" for x, y in self.world.place(np.asarray(ring.coords)[:-1]))
+            + "z"
+        )
+
+
+def _rings(outline: Polygon) -> tuple:
+    return (outline.exterior, *outline.interiors)
+
+
+def fates(
+    plan: SitePlan, view: View, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
+) -> np.ndarray:
+    """Tell what became of each pixel that is shown, as `Fate`; uint8.
+
+    Parameters
+    ----------
+    plan : SitePlan
+    view : View
+        The part to show.
+    gate : Gate
+        With which the plan was made.
+    held : ndarray of bool, shape (rows, columns)
+        Pixels that hold density.
+    small, misshapen : ndarray of bool, shape (rows, columns)
+        Pixels that belonged, at any threshold, to a region removed by area or by shape.
+    """
+    found, held = plan.image, view.part(held)
+    low = ~view.part(gate.tall) & ~view.part(gate.flat)
+    rules = {
+        Fate.WALL: view.part(found.votes) > 0,
+        Fate.CLOSED: view.part(found.walls),
+        Fate.MISSHAPEN: view.part(misshapen),
+        Fate.SMALL: view.part(small),
+        Fate.FAINT: view.part(found.gated) > 0,
+        Fate.FOLIAGE: _known(gate.foliage, view, held),
+        Fate.FURNITURE: _known(gate.furniture, view, held),
+        Fate.LOW: held & low,
+        Fate.SURFACE: held,
+    }
+    return _numbered(rules)
+
+
+def _known(mask: Optional[np.ndarray], view: View, held: np.ndarray) -> np.ndarray:
+    return np.zeros_like(held) if mask is None else view.part(mask)
+
+
+def fates_at(selection: Selection, view: View) -> np.ndarray:
+    """Tell what became of the pixels above one threshold that are shown."""
+    return _numbered(
+        {
+            Fate.WALL: view.part(selection.kept),
+            Fate.MISSHAPEN: view.part(selection.misshapen),
+            Fate.SMALL: view.part(selection.small),
+        }
+    )
+
+
+def _numbered(rules: dict) -> np.ndarray:
+    """Return the number of the first rule that holds."""
+    return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
+
+
+def coloured(fate: np.ndarray, largest: int = LARGEST) -> np.ndarray:
+    """Return the colours of pixels, in a picture at most so many pixels wide and high."""
+    return np.array([COLOURS[kind] for kind in Fate], np.uint8)[fitted(fate, largest)]
+
+
+def fitted(values: np.ndarray, largest: int = LARGEST) -> np.ndarray:
+    """Return the largest values of blocks of pixels, so that at most so many are left in a row or column."""
+    return shrunk(values, max(1, -(-max(values.shape) // largest)))

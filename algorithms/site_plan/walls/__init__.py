@@ -1,0 +1,1 @@
+"""From the density image to regions of wall (paper, section 2.2)."""

@@ -1,0 +1,105 @@
+"""The algorithm `compareplan`."""
+
+import math
+from functools import partial
+from typing import Optional
+
+from ..algorithm import Algorithm, Outcome
+from ..log import Log
+from ..parameters.destinations import HtmlDestination, LineDestination
+from ..parameters.outlines import OutlineLayer
+from ..parameters.parameter import Number
+
+
+class ComparePlanAlgorithm(Algorithm):
+    """Measure a plan against a reference."""
+
+    key = "compareplan"
+    title = "Compare a plan with a reference"
+    chapter = "Site plan"
+    summary = "Measures how complete, correct and accurate the walls of a plan are, against a reference."
+    about = (
+        "The boundaries of both layers are compared place by place. Completeness is the share of the "
+        "reference that the plan has within the tolerance, correctness the share of the plan that the "
+        "reference has. The offsets are distances from the reference to the plan, where it was found."
+    )
+    words = (
+        "site plan",
+        "accuracy",
+        "validation",
+        "completeness",
+        "correctness",
+        "iou",
+        "walls",
+        "reference",
+    )
+    inputs = (
+        OutlineLayer(
+            "WALLS", "Walls of the plan", "Polygons, as siteplan writes them. Those that touch are one."
+        ),
+        OutlineLayer(
+            "REFERENCE",
+            "Reference",
+            "The true walls as polygons, or their faces as lines. In the coordinate reference system of "
+            "the walls, in metres.",
+            lines=True,
+        ),
+        Number(
+            "TOLERANCE",
+            "Tolerance",
+            "Up to this distance a boundary counts as found; what it means is up to the purpose of the plan.",
+            unit="m",
+            minimum=0.001,
+            default=0.10,
+        ),
+    )
+    destinations = (
+        LineDestination(
+            "ERRORS",
+            "Errors",
+            "Lines with side (plan or reference), state (agrees, wrong, missing), median and largest offset, "
+            "length. GeoPackage or shapefile, by extension.",
+            style="plan_errors",
+        ),
+        HtmlDestination("REPORT", "Report", "HTML page with a map, curves and tables.", optional=True),
+    )
+    numbers = (
+        ("COMPLETENESS", "Share of the reference that is in the plan (0 to 1)"),
+        ("CORRECTNESS", "Share of the plan that is in the reference (0 to 1)"),
+        ("IOU", "Intersection over union of the areas (0 to 1)"),
+        ("MEDIAN_OFFSET", "Median offset of what was found (m)"),
+        ("P95_OFFSET", "Offset that 95 % of what was found keep to (m)"),
+    )
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Compare the outlines."""
+        from ...algorithms.evaluation.outlines import disagreements
+        from ...algorithms.evaluation.plan import compare_plan
+        from ...algorithms.evaluation.plan_layer import write_errors
+        from ...algorithms.evaluation.plan_report import write_plan_report
+
+        walls, reference, tolerance = values["WALLS"], values["REFERENCE"], values["TOLERANCE"]
+        doubts = disagreements(walls, reference, tolerance)
+        log.warn(doubts)
+        found = compare_plan(walls.shape, reference.shape, tolerance)
+        log.info(f"Completeness {found.completeness:.3f}, correctness {found.correctness:.3f}.")
+        if found.completeness:
+            log.info(f"Offset: median {found.median_offset:.4f} m, 95 % {found.p95_offset:.4f} m.")
+        return Outcome(
+            {
+                "ERRORS": partial(write_errors, agreement=found, crs=walls.crs or reference.crs),
+                "REPORT": partial(write_plan_report, agreement=found, doubts=doubts),
+            },
+            {
+                "COMPLETENESS": found.completeness,
+                "CORRECTNESS": found.correctness,
+                "IOU": _known(found.iou),
+                "MEDIAN_OFFSET": _known(found.median_offset),
+                "P95_OFFSET": _known(found.p95_offset),
+            },
+            {"ERRORS": {"tolerance": tolerance, "quarter": tolerance / 4, "half": tolerance / 2}},
+        )
+
+
+def _known(value: float) -> Optional[float]:
+    return value if math.isfinite(value) else None

@@ -1,0 +1,40 @@
+"""The algorithm `densityimage`."""
+
+from functools import partial
+
+from ..algorithm import Algorithm, Outcome
+from ..log import Log
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
+from ..parameters.density import (
+    HEIGHT_PARAMETERS,
+    POINT_NUMBERS,
+    compute_density,
+    density_destination,
+    point_numbers,
+)
+
+
+class DensityImageAlgorithm(Algorithm):
+    """Compute a density image of clouds."""
+
+    key = "densityimage"
+    title = "Density image from laser scans"
+    chapter = "Site plan"
+    summary = "Counts the points above each pixel of the ground plan, after thinning."
+    about = (
+        "The clouds are thinned, and the points above each pixel counted: walls stand out, as many points "
+        "lie above each other there. Further bands hold the height that points fill above the local ground, "
+        "the lowest and highest point, the ground, and what tells foliage and furniture from walls "
+        "(Mueller, Kohoutek and Theiler 2012)."
+    )
+    words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
+    inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
+    destinations = (density_destination(optional=False),)
+    numbers = POINT_NUMBERS
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Compute the image."""
+        from ...algorithms.site_plan.output.layers import write_density
+
+        image = compute_density(values, log, log.progress)
+        return Outcome({"DENSITY": partial(write_density, image=image)}, point_numbers(image))

@@ -1,0 +1,117 @@
+"""The algorithm `facadedetails`."""
+
+from ..algorithm import Algorithm, Outcome
+from ..log import Log
+from ..parameters.clouds import CLOUDS, CRS, open_site
+from ..parameters.destinations import (
+    DrawingDestination,
+    PolygonDestination,
+    RasterDestination,
+    TableDestination,
+)
+from ..parameters.facade import FILL_HOLES, PIXEL_SIZE, SETTINGS
+
+MOST_POINTS = 6_000_000
+"""More are thinned, for a triangulation of them takes more memory than most computers have."""
+
+
+class FacadeDetailsAlgorithm(Algorithm):
+    """Measure the details of a facade."""
+
+    key = "facadedetails"
+    title = "Details of a facade"
+    chapter = "Facade"
+    summary = "Turns a coloured scan of a facade into an elevation: openings, recesses and details, measured."
+    about = (
+        "The main plane of the facade is found, its coplanar details by colour and intensity, its openings "
+        "and recesses by what lies behind it, its projections by what lies before it. Outlines are the mean "
+        "of both sides of a border, with standard deviations. INPUT is all it needs; without colour, "
+        "openings, recesses and projections remain (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal "
+        "2014)."
+    )
+    words = (
+        "facade",
+        "elevation",
+        "windows",
+        "doors",
+        "openings",
+        "orthoimage",
+        "dxf",
+        "segmentation",
+        "laser scan",
+        "point cloud",
+        "tls",
+        "heritage",
+        "architecture",
+    )
+    inputs = (CLOUDS, *SETTINGS.values(), CRS, PIXEL_SIZE, FILL_HOLES)
+    destinations = (
+        RasterDestination(
+            "ORTHOIMAGE",
+            "Orthoimage",
+            "GeoTIFF in u, v: the colours of the facade from straight before it, or its intensity.",
+            style=None,
+            optional=True,
+        ),
+        PolygonDestination(
+            "DETAILS",
+            "Details in space",
+            "The polygons of the elevation in x, y, z of the site, with the same ids and areas.",
+            style="facade_details",
+            optional=True,
+        ),
+        PolygonDestination(
+            "ELEVATION",
+            "Elevation",
+            "Polygons in u (right) and v (up), in metres: the wall, its details, and places that were not "
+            "seen.",
+            style="elevation",
+        ),
+        TableDestination(
+            "SCHEDULE",
+            "Schedule",
+            "CSV file with a row for each detail: kind, width, height, sill, area, standard deviations.",
+            optional=True,
+        ),
+        DrawingDestination(
+            "DRAWING",
+            "Drawing",
+            "DXF file in metres, with a layer for each kind; needs the package ezdxf.",
+            optional=True,
+        ),
+    )
+    numbers = (
+        ("DETAIL_COUNT", "Number of details"),
+        ("WALL_AREA", "Area of the wall without openings and recesses (m2)"),
+    )
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Measure the facade."""
+        from ...algorithms.facade.facade import measure_facade
+        from ...algorithms.facade.output.drawing import write_drawing
+        from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
+        from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
+        from ...algorithms.facade.output.schedule import write_schedule
+        from ...algorithms.facade.planes.facade_points import read_points
+        from ...algorithms.facade.settings import Settings
+
+        settings = Settings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
+        cloud = open_site(values)
+        log.warn(cloud.warnings)
+        points = read_points(cloud, log.progress.part(0.0, 0.2), MOST_POINTS)
+        elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))
+        log.warn(elevation.warnings)
+        pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
+        log.info(f"Details: {len(elevation.details)}; pixels of the orthoimage: {pixel_size:g} m.")
+        return Outcome(
+            {
+                "ELEVATION": lambda path: write_elevation(path, elevation),
+                "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
+                "ORTHOIMAGE": lambda path: write_orthoimage(
+                    path, points, elevation, pixel_size, values["FILL_HOLES"]
+                ),
+                "SCHEDULE": lambda path: write_schedule(path, elevation),
+                "DRAWING": lambda path: write_drawing(path, elevation),
+            },
+            {"DETAIL_COUNT": len(elevation.details), "WALL_AREA": elevation.wall.area},
+        )

@@ -1,0 +1,138 @@
+"""The algorithm `registerscans`."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from ...algorithms.errors import NothingFoundError
+from ..algorithm import Algorithm, Outcome
+from ..log import Log
+from ..parameters.destinations import HtmlDestination, JsonDestination, PointDestination
+from ..parameters.registration import (
+    CONTROL,
+    CONTROL_SIGMA,
+    CRS,
+    MATCHING,
+    MODEL,
+    SIGMA,
+    TARGETS,
+    TOLERANCE,
+    control_of,
+    settings_of,
+)
+
+if TYPE_CHECKING:
+    from ...algorithms.registration.results import Registration, ScanRegistration
+
+
+class RegisterScansAlgorithm(Algorithm):
+    """Find which targets are which control points, and where the scans stand."""
+
+    key = "registerscans"
+    title = "Register scans to control points"
+    chapter = "Registration"
+    summary = "Finds out which target is which control point, and moves the scans there."
+    about = (
+        "Targets picked in each scan are matched with surveyed control points by their distances, without "
+        "names, and the transformations of all scans are adjusted together. Targets that are no control "
+        "points join the scans with each other. A scan that cannot be registered beyond doubt is refused "
+        "with the reason (Herbig, Mayer, Mortada and Rasztovits 2013)."
+    )
+    words = (
+        "registration",
+        "georeference",
+        "targets",
+        "control points",
+        "total station",
+        "transformation",
+        "helmert",
+        "adjustment",
+        "laser scan",
+        "point cloud",
+        "tls",
+    )
+    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS)
+    destinations = (
+        JsonDestination(
+            "TRANSFORMS",
+            "Transformations",
+            "JSON file with the status and the matrix of each scan, for 'Transform laser scans'.",
+        ),
+        PointDestination(
+            "CONTROL_OUT",
+            "Control points, surveyed and appended",
+            "Points with their precision and the scans that saw them. GeoPackage or shapefile, by extension.",
+            style="control_points",
+            optional=True,
+        ),
+        PointDestination(
+            "RESIDUALS",
+            "Residuals",
+            "Points with the difference between target and control point, drawn as arrows, and its tests. "
+            "GeoPackage or shapefile, by extension.",
+            style="residuals",
+            optional=True,
+        ),
+        HtmlDestination(
+            "REPORT",
+            "Report",
+            "HTML page with plan, residuals and statistics of every scan; see the results viewer.",
+            optional=True,
+        ),
+    )
+    numbers = (
+        ("SCANS_REGISTERED", "Number of scans that were registered"),
+        ("SIGMA0", "Standard deviation of unit weight, a posteriori over a priori"),
+        ("MAX_RESIDUAL", "Longest residual of a target that was used (m)"),
+    )
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Register the scans."""
+        from ...algorithms.registration.output.layers import exaggeration, write_control, write_residuals
+        from ...algorithms.registration.output.report import write_report
+        from ...algorithms.registration.output.transforms import write_transforms
+        from ...algorithms.registration.registration import register_scans
+
+        control = control_of(values)
+        if control.crs is None:
+            log.warn(["The control points name no coordinate reference system, so the results have none."])
+        registration = register_scans(control, values["TARGETS"], settings_of(values), log.progress)
+        _tell(registration, log)
+        if not registration.registered:
+            reasons = " ".join(scan.reason for scan in registration.scans)
+            raise NothingFoundError(f"No scan could be registered. {reasons}")
+        writers = {
+            "TRANSFORMS": write_transforms,
+            "RESIDUALS": write_residuals,
+            "CONTROL_OUT": write_control,
+            "REPORT": write_report,
+        }
+        return Outcome(
+            {name: partial(write, registration) for name, write in writers.items()},
+            {
+                "SCANS_REGISTERED": len(registration.registered),
+                "SIGMA0": registration.test.sigma0,
+                "MAX_RESIDUAL": registration.max_residual,
+            },
+            {"RESIDUALS": {"exaggeration": exaggeration(registration.registered)}},
+        )
+
+
+def _tell(registration: "Registration", log: Log) -> None:
+    log.warn(registration.warnings)
+    log.info(f"Tolerance of distances: {1000 * registration.tolerance:.1f} mm.")
+    for scan in registration.scans:
+        if scan.registered:
+            log.info(_line(scan))
+        else:
+            log.warn([f"{scan.name} is not registered ({scan.status}): {scan.reason}"])
+        log.warn(scan.warnings)
+
+
+def _line(scan: "ScanRegistration") -> str:
+    used = [item for item in scan.correspondences if item.used]
+    longest = 1000 * max(item.length for item in used)
+    chance = "" if scan.chance is None else f", {scan.chance:.1g} accidental matches expected"
+    return (
+        f"{scan.name}: {len(used)} of {scan.targets} targets matched, sigma0 {scan.test.sigma0:.2f}, "
+        f"longest residual {longest:.1f} mm{chance}."
+    )

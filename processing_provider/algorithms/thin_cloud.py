@@ -1,0 +1,42 @@
+"""The algorithm `thincloud`."""
+
+from ..algorithm import Algorithm, Outcome
+from ..log import Log
+from ..parameters.clouds import CLOUDS, SPACING, open_site
+from ..parameters.destinations import CloudDestination
+
+
+class ThinCloudAlgorithm(Algorithm):
+    """Thin clouds to a minimum distance between points."""
+
+    key = "thincloud"
+    title = "Thin laser scans"
+    chapter = "Clouds"
+    summary = "Leaves out points so that no two are closer than a minimum distance."
+    about = (
+        "Points are left out until no two are closer than the point spacing, exactly and in space, also "
+        "across files. Several files become one. From LAS and LAZ to LAS and LAZ, every attribute stays."
+    )
+    words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
+    inputs = (CLOUDS, SPACING)
+    destinations = (
+        CloudDestination("OUTPUT", "Thinned cloud", "LAZ, LAS or text (XYZ, TXT, CSV), by extension."),
+    )
+    numbers = (
+        ("POINTS_IN", "Number of points in the clouds"),
+        ("POINTS_OUT", "Number of points after thinning"),
+    )
+
+    def compute(self, values: dict, log: Log) -> Outcome:
+        """Thin the clouds; the points are copied when the file is written."""
+        from ...algorithms.clouds.thinning.thinning import thin_cloud
+        from ...algorithms.clouds.writing.cloud_writing import write_cloud
+
+        cloud = open_site(values)
+        thinned = thin_cloud(cloud, values["SPACING"], log.progress.part(0.0, 0.7))
+        log.warn(thinned.warnings)
+        log.info(f"Points: {thinned.points_in} read, {len(thinned.kept)} kept.")
+        return Outcome(
+            {"OUTPUT": lambda path: write_cloud(cloud, thinned.kept, path, log.progress.part(0.7, 1.0))},
+            {"POINTS_IN": thinned.points_in, "POINTS_OUT": len(thinned.kept)},
+        )

@@ -1,0 +1,1 @@
+"""The parameters and destinations of the algorithms."""

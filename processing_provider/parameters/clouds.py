@@ -1,0 +1,68 @@
+"""What the algorithms that read clouds have in common."""
+
+from typing import TYPE_CHECKING
+
+from .parameter import CloudFiles, Number, ReferenceSystem
+
+if TYPE_CHECKING:
+    from ...algorithms.clouds.cloud import Cloud
+
+CLOUDS = CloudFiles(
+    "INPUT",
+    "Point clouds",
+    "One or more scans of one site: LAS, LAZ, COPC, E57, PTX, PLY or text (XYZ, TXT, CSV, PTS); "
+    "or a folder of them. "
+    "On the command line, repeat INPUT=file or separate the files by semicolons.",
+)
+
+SPACING = Number(
+    "SPACING",
+    "Point spacing",
+    "Points closer than this to a point that is kept are left out, so that a surface counts the same near "
+    "the scanner and far from it. 0.05 m serves most sites; finer spacing asks for denser scans.",
+    unit="m",
+    default=0.05,
+    minimum=0.001,
+    maximum=100,
+)
+
+PIXEL_SIZE = Number(
+    "PIXEL_SIZE",
+    "Pixel size",
+    "Edge of a pixel of the rasters. 0.10 m serves most sites; it should be about twice the point spacing.",
+    unit="m",
+    default=0.10,
+    minimum=0.001,
+    maximum=100,
+)
+
+CRS = ReferenceSystem(
+    "CRS",
+    "Coordinate reference system, if the clouds name none",
+    "Projected, in metres. A system that the files name themselves goes before it.",
+)
+
+
+def neighbourhood(advanced: bool) -> Number:
+    """Return the parameter NEIGHBOURHOOD, shown at once or among the advanced ones."""
+    return Number(
+        "NEIGHBOURHOOD",
+        "Neighbourhood",
+        "A point spreads over the pixels up to this far from its own, by inverse distance. "
+        "0 counts points per pixel; more than 1 blurs.",
+        unit="pixels",
+        default=1,
+        minimum=0,
+        maximum=5,
+        whole=True,
+        advanced=advanced,
+    )
+
+
+def open_site(values: dict) -> "Cloud":
+    """Open the clouds that the user chose as one site."""
+    from ...algorithms.clouds.cloud import open_cloud
+    from ...algorithms.reference_systems import parse_wkt
+
+    crs = values.get("CRS")
+    return open_cloud(values["INPUT"], parse_wkt(crs.toWkt()) if crs else None)

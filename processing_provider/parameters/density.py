@@ -1,0 +1,91 @@
+"""What the algorithms that compute a density image have in common."""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from ...algorithms.progress import Progress
+from ..log import Log
+from .clouds import open_site
+from .destinations import RasterDestination
+from .parameter import Choice, Number
+
+if TYPE_CHECKING:
+    from ...algorithms.site_plan.density.density_image import DensityImage
+    from ...algorithms.site_plan.density.height_range import HeightRange
+
+POINT_NUMBERS = (
+    ("POINTS_IN", "Number of points in the clouds"),
+    ("POINTS_KEPT", "Number of points after thinning"),
+)
+
+HEIGHT_PARAMETERS = (
+    Number(
+        "ZMIN",
+        "Lowest height",
+        "Points below are left out. For a storey, a height within the slab below its floor.",
+        unit="m",
+        minimum=-20_000,
+        maximum=20_000,
+        advanced=True,
+    ),
+    Number(
+        "ZMAX",
+        "Highest height",
+        "Points from this height on are left out. For a storey, a height within the slab above it.",
+        unit="m",
+        minimum=-20_000,
+        maximum=20_000,
+        advanced=True,
+    ),
+    Choice(
+        "HEIGHTS",
+        "Heights are counted from",
+        "What ZMIN and ZMAX are counted from. The local ground, on a slope.",
+        options=("zero of the coordinates", "local ground"),
+        advanced=True,
+    ),
+)
+
+
+def density_destination(optional: bool) -> RasterDestination:
+    """Return the destination DENSITY."""
+    help_text = (
+        "GeoTIFF with the bands density, occupied height, base, top, ground, spread and hanging height."
+    )
+    return RasterDestination("DENSITY", "Density image", help_text, style="density", optional=optional)
+
+
+def compute_density(values: dict, log: Log, progress: Progress) -> "DensityImage":
+    """Compute the density image with the parameters that the user chose, and tell what was kept."""
+    with compute_density_and_keep(values, log, progress) as (image, _points):
+        return image
+
+
+@contextmanager
+def compute_density_and_keep(values: dict, log: Log, progress: Progress) -> Iterator[tuple]:
+    """Compute the density image as `compute_density` does, and yield it with the sorted points."""
+    from ...algorithms.site_plan.density.density_image import sort_and_image
+
+    chosen = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
+    with sort_and_image(open_site(values), *chosen, progress, _height_range(values)) as (image, points):
+        log.warn(image.warnings)
+        rows, columns = image.density.shape
+        log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
+        log.info(f"Density image: {columns} x {rows} pixels of {values['PIXEL_SIZE']:g} m.")
+        yield image, points
+
+
+def _height_range(values: dict) -> "HeightRange":
+    from ...algorithms.site_plan.density.height_range import HeightRange
+
+    low, high = values["ZMIN"], values["ZMAX"]
+    return HeightRange(
+        -math.inf if low is None else low, math.inf if high is None else high, values["HEIGHTS"] == 1
+    )
+
+
+def point_numbers(image: "DensityImage") -> dict:
+    """Return the values of `POINT_NUMBERS`."""
+    return {"POINTS_IN": image.points_in, "POINTS_KEPT": image.points_kept}

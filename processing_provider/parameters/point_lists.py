@@ -1,0 +1,137 @@
+"""Parameters that are lists of points: text files, layer files, and layers of the project."""
+
+# ruff: noqa: D102 - what overrides a method or property is described where that is.
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Optional, Union
+
+from qgis.core import (
+    NULL,
+    QgsFeature,
+    QgsMapLayer,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterVectorLayer,
+    QgsProcessingUtils,
+    QgsProperty,
+    QgsProviderRegistry,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QFile
+
+from ...algorithms.errors import InputError
+from .parameter import Parameter, _split
+
+if TYPE_CHECKING:
+    from ...algorithms.registration.lists.point_list import PointList
+
+POINTS = QgsProcessing.SourceType.TypeVectorPoint
+
+
+@dataclass(frozen=True)
+class PointListFile(Parameter):
+    """One list of points.
+
+    Its definition asks for a vector layer, for then the dialog offers the layers of the project beside a
+    file chooser, which lets pass text files too.
+    """
+
+    def _definition(self) -> QgsProcessingParameterVectorLayer:
+        return QgsProcessingParameterVectorLayer(self.name, self.description, [POINTS])
+
+    def value(self, algorithm, parameters, context) -> "PointList":
+        items = _items(parameters.get(self.name), context)
+        if not items:
+            raise InputError(f"{self.name} is empty; choose a text file or a layer of points.")
+        if len(items) > 1:
+            raise InputError(f"{self.name} takes one list of points, not {len(items)}; choose one.")
+        return _read(items[0])
+
+    def sources(self, value) -> list:
+        return [value.path] if value.path else []
+
+
+@dataclass(frozen=True)
+class PointListFiles(Parameter):
+    """One or more lists of points, each with a name of its own."""
+
+    def _definition(self) -> QgsProcessingParameterMultipleLayers:
+        return QgsProcessingParameterMultipleLayers(self.name, self.description, POINTS)
+
+    def value(self, algorithm, parameters, context) -> list:
+        lists = [_read(item) for item in _items(parameters.get(self.name), context)]
+        if not lists:
+            raise InputError(f"{self.name} is empty; choose at least one text file or layer of points.")
+        names = [points.name for points in lists]
+        twice = next((name for name in names if names.count(name) > 1), None)
+        if twice is not None:
+            raise InputError(f"{self.name} has two lists called {twice}; leave out or rename one of them.")
+        return lists
+
+    def sources(self, value) -> list:
+        return [points.path for points in value if points.path]
+
+
+def _items(given, context: QgsProcessingContext) -> list:
+    """Return layers and paths from any of the spellings that dialogs, scripts, models and shells have."""
+    if isinstance(given, QgsProperty):
+        given, _ = given.value(context.expressionContext())
+    if isinstance(given, QgsMapLayer):
+        return [given]
+    if isinstance(given, (list, tuple)):
+        return [item for part in given for item in _items(part, context)]
+    return [_layer_or_path(part, context) for part in _split(str(given))] if given else []
+
+
+def _layer_or_path(text: str, context: QgsProcessingContext) -> Union[QgsMapLayer, str]:
+    loading = False
+    layer = None if QFile.exists(text) else QgsProcessingUtils.mapLayerFromString(text, context, loading)
+    return layer or text
+
+
+def _read(item: Union[QgsMapLayer, str]) -> "PointList":
+    from ...algorithms.registration.lists.point_list import points_of_features, read_point_list
+
+    if isinstance(item, str):
+        path, _, layer = item.partition("|layername=")
+        return read_point_list(path, layer or None)
+    if not isinstance(item, QgsVectorLayer) or item.geometryType() != QgsWkbTypes.GeometryType.PointGeometry:
+        raise InputError(f"{item.name()} is not a layer of points; choose another.")
+    if not item.isValid():
+        raise InputError(f"The layer {item.name()} has lost its file; repair it or choose another.")
+    path, name = _origin(item)
+    return points_of_features(name, f"the layer {item.name()}", _features(item), item.crs().toWkt(), path)
+
+
+def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
+    """Return the file of a layer, None if it has none, and what a list from there is called."""
+    from ...algorithms.registration.lists.point_layer import list_name
+
+    provider = layer.providerType()
+    parts = QgsProviderRegistry.instance().decodeUri(provider, layer.source())
+    path = Path(parts["path"]) if parts.get("path") else None
+    if path is None or not path.is_file():
+        return None, layer.name()
+    return path, list_name(path, parts.get("layerName")) if provider == "ogr" else path.stem
+
+
+def _features(layer: QgsVectorLayer) -> Iterator[tuple[Optional[tuple], dict]]:
+    """Yield coordinates and attributes, of the features that the layer shows and as it was edited."""
+    fields = layer.fields().names()
+    for feature in layer.getFeatures():
+        values = [None if value == NULL else value for value in feature.attributes()]
+        yield _coordinates(feature), dict(zip(fields, values))
+
+
+def _coordinates(feature: QgsFeature) -> Optional[tuple]:
+    geometry = feature.geometry().constGet()
+    if geometry is not None and QgsWkbTypes.isMultiType(geometry.wkbType()) and geometry.numGeometries() == 1:
+        geometry = geometry.geometryN(0)
+    if geometry is None or QgsWkbTypes.flatType(geometry.wkbType()) != QgsWkbTypes.Type.Point:
+        return None
+    heights = (geometry.z(),) if geometry.is3D() else ()
+    return (geometry.x(), geometry.y(), *heights)

@@ -1,0 +1,167 @@
+"""What the algorithms that extract walls have in common."""
+
+from functools import partial
+from typing import TYPE_CHECKING, Optional
+
+from ...algorithms.progress import Progress
+from ..log import Log
+from .destinations import PolygonDestination, RasterDestination
+from .parameter import Number
+
+if TYPE_CHECKING:
+    from affine import Affine
+    from numpy import ndarray
+    from rasterio.crs import CRS
+
+    from ...algorithms.site_plan.density.density_image import DensityImage, SortedPoints
+    from ...algorithms.site_plan.site_plan import SitePlan
+    from ...algorithms.site_plan.walls.height_gate import Heights
+
+WALL_PARAMETERS = (
+    Number(
+        "THRESHOLD",
+        "Lowest density threshold",
+        "Density from which a pixel may be wall. If not set, it is derived from the density of the "
+        "horizontal surfaces; the log tells the value. Raise it if clutter is taken for walls.",
+        unit="standard deviations",
+        minimum=0,
+    ),
+    Number(
+        "MIN_AREA",
+        "Smallest region",
+        "Regions with less area are dropped. If not set, it is the area of a metre of wall one pixel thick.",
+        unit="m²",
+        minimum=0,
+    ),
+    Number(
+        "MAX_FILL",
+        "Largest fill of a curved wall",
+        "A region is a curved or angled wall if its area divided by the area of its bounding box is not "
+        "above this.",
+        unit="ratio",
+        default=0.4,
+        minimum=0,
+        maximum=1,
+    ),
+    Number(
+        "MIN_ELONGATION",
+        "Least elongation of a straight wall",
+        "A region is a straight wall if the major axis of its best-fit ellipse divided by the minor axis "
+        "is not below this.",
+        unit="ratio",
+        default=3,
+        minimum=1,
+    ),
+    Number(
+        "CLOSING",
+        "Widest gap to close",
+        "Joins the two faces of a wall and bridges interruptions. If not set, it is 0.8 m where the heights "
+        "tell where the ground was seen, so that doors stay open, and 0.4 m where they do not.",
+        unit="m",
+        minimum=0,
+        maximum=100,
+    ),
+    Number(
+        "MIN_HEIGHT",
+        "Least occupied height of a wall",
+        "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Keeps "
+        "out floors and beams; with it, vegetation and furniture are told from walls. Lower it for low "
+        "ruins; 0 uses density alone.",
+        unit="m",
+        default=0.4,
+        minimum=0,
+        maximum=2,
+    ),
+    Number(
+        "THRESHOLD_STEPS",
+        "Number of density thresholds",
+        "Walls are looked for at this many thresholds from the lowest to the highest, and combined.",
+        unit="count",
+        default=10,
+        minimum=1,
+        maximum=100,
+        whole=True,
+        advanced=True,
+    ),
+    Number(
+        "THRESHOLD_MAX",
+        "Highest density threshold",
+        "If not set, it is the median density of the pixels that may be wall.",
+        unit="standard deviations",
+        minimum=0,
+        advanced=True,
+    ),
+)
+
+WALL_NUMBERS = (
+    ("WALL_COUNT", "Number of walls"),
+    ("WALL_AREA", "Area of the walls (m²)"),
+    ("WALL_LENGTH", "Length of the walls (m)"),
+)
+
+WALLS = PolygonDestination(
+    "WALLS",
+    "Walls",
+    "Polygons with kind, length, thickness, base and top height. GeoPackage or shapefile, by extension.",
+    style="walls",
+)
+
+
+def plan_destination(optional: bool) -> RasterDestination:
+    """Return the destination PLAN."""
+    help_text = "Wall pixels as a GeoTIFF: 1 wall, 0 none."
+    return RasterDestination("PLAN", "Plan raster", help_text, style="plan", optional=optional)
+
+
+def find_walls(
+    density: "ndarray",
+    heights: "Optional[Heights]",
+    transform: "Affine",
+    values: dict,
+    log: Log,
+    progress: Progress,
+) -> "SitePlan":
+    """Extract the walls with the parameters that the user chose, and tell what was derived."""
+    from ...algorithms.site_plan.site_plan import extract_walls
+    from ...algorithms.site_plan.walls.extraction import WallParameters
+
+    chosen = WallParameters(**{item.name.lower(): values[item.name] for item in WALL_PARAMETERS})
+    plan = extract_walls(density, heights, transform, chosen, progress)
+    image, criteria = plan.image, plan.image.criteria
+    steps = image.thresholds.values
+    log.warn(image.warnings)
+    log.info(f"Thresholds: {len(steps)} from {steps[0]:.2f} to {steps[-1]:.2f} standard deviations.")
+    log.info(f"Smallest region: {criteria.min_area:g} m². Widest gap to close: {image.gap:g} m.")
+    log.info(f"Walls: {len(plan.walls)}, {plan.area:.2f} m², {plan.length:.1f} m long.")
+    return plan
+
+
+def refine_outlines(
+    plan: "SitePlan", points: "SortedPoints", image: "DensityImage", log: Log, progress: Progress
+) -> "SitePlan":
+    """Move the outlines onto the faces of the walls, and tell how well they are known."""
+    from ...algorithms.site_plan.faces.refinement import refine_on_points
+
+    refined = refine_on_points(plan, points, image, progress)
+    if refined.foliage:
+        log.info(f"Left out as foliage, for their points lie on no face: {refined.foliage}.")
+    log.info(
+        f"Outlines on the faces: {refined.coverage:.0%} of their length has points on it; "
+        f"{refined.area:.2f} m², {refined.length:.1f} m long."
+    )
+    return refined
+
+
+def wall_writers(plan: "SitePlan", transform: "Affine", crs: "Optional[CRS]") -> dict:
+    """Return what writes PLAN and WALLS."""
+    from ...algorithms.site_plan.output.layers import write_plan, write_walls
+
+    return {
+        "PLAN": partial(write_plan, plan=plan, transform=transform, crs=crs),
+        "WALLS": partial(write_walls, plan=plan, crs=crs),
+    }
+
+
+def wall_numbers(plan: "SitePlan") -> dict:
+    """Return the values of `WALL_NUMBERS`."""
+    return {"WALL_COUNT": len(plan.walls), "WALL_AREA": plan.area, "WALL_LENGTH": plan.length}
