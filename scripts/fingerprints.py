@@ -1,10 +1,11 @@
 """Print a digest of every layer and list that the toolbox makes, to see what a change of the code changed.
 
-scripts/fingerprints.py OUT --plans FOLDER --facades FOLDER --lists FOLDER > before.txt; change the code; again
-into after.txt; diff the two.
+scripts/fingerprints.py OUT --plans FOLDER --facades FOLDER --lists FOLDER > before.txt
 
-Makes the layers of every simulated scene at one seed, and those of the clouds and lists in the folders, through
-qgis_process. Clouds and results stay in OUT; simulated clouds that are there already are used again.
+Run it before and after a change, and compare the two lists.
+
+Makes the layers of every simulated scene at one seed, and those of the clouds and lists in the folders,
+through qgis_process. Clouds and results stay in OUT; simulated clouds that are there already are used again.
 """
 
 import argparse
