@@ -30,7 +30,7 @@ class ThinCloudAlgorithm(Algorithm):
     def compute(self, values: dict, log: Log) -> Outcome:
         """Thin the clouds; the points are copied when the file is written."""
         from ...algorithms.clouds.thinning.thinning import thin_cloud
-        from ...algorithms.clouds.writing.cloud_writing import write_cloud
+        from ...algorithms.clouds.writing.point_selection import write_cloud
 
         cloud = open_site(values)
         thinned = thin_cloud(cloud, values["SPACING"], log.progress.part(0.0, 0.7))

@@ -12,7 +12,7 @@ from numba import njit
 
 from ...progress import Progress
 from ..cloud import Cloud
-from .tiles import Tile, TileStore, fill, stray_warning, to_lattice
+from ..tiles.tile_store import Tile, TileStore, fill, stray_warning, to_lattice
 
 TILE_EDGE = 4.0
 """Edge of a tile in metres: small enough for a tile to stay in the processor's cache."""

@@ -10,7 +10,7 @@ from laspy.vlrs.vlrlist import VLRList
 from ...files import atomic_output
 from ...progress import Progress
 from ..cloud import Cloud, parts
-from .cloud_writing import (
+from .point_selection import (
     CHUNK_SIZE,
     SEPARATORS,
     append_rows,

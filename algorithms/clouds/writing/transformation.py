@@ -21,7 +21,7 @@ from ..formats.normals import find_normals
 from ..formats.text import TextSource
 from ..formats.text_layout import Dialect, Layout
 from ..source import Source
-from .cloud_writing import (
+from .point_selection import (
     CHUNK_SIZE,
     COARSEST_SCALE,
     FINEST_SCALE,

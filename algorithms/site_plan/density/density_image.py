@@ -17,7 +17,7 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.thinning.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
+from ...clouds.tiles.tile_store import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
 from ...errors import InputError
 from ...progress import Progress
 from ..walls.height_gate import Heights

@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 from scipy import ndimage
 
-from ...clouds.thinning.tiles import LATTICE, Tile, to_lattice
+from ...clouds.tiles.tile_store import LATTICE, Tile, to_lattice
 from .grid import Grid, label_linked
 
 CELL = 0.5

@@ -6,7 +6,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import READERS, open_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from rasterio.crs import CRS
 

@@ -13,7 +13,7 @@ from ichnograph.algorithms.clouds.writing.transformation import transform_cloud,
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.geometry.motion import Motion
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
