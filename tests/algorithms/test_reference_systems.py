@@ -1,24 +1,17 @@
 """Reference systems are horizontal and in metres, or refused."""
 
-import struct
-
 import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.reference_systems import (
+    UNDEFINED,
     horizontal,
+    is_local,
     name_of,
-    parse_geotiff_keys,
+    parse_layer_wkt,
     parse_wkt,
     require_metres,
 )
 from rasterio.crs import CRS
-
-
-def directory(*keys):
-    """Return a GeoTIFF key directory of (key, value) pairs."""
-    return struct.pack("<4H", 1, 1, 0, len(keys)) + b"".join(
-        struct.pack("<4H", key, 0, 1, value) for key, value in keys
-    )
 
 
 def test_a_projected_system_is_read_from_wkt():
@@ -28,18 +21,6 @@ def test_a_projected_system_is_read_from_wkt():
 def test_heights_are_cut_off_a_compound_system():
     compound = CRS.from_user_input("EPSG:25832+7837")
     assert parse_wkt(compound.to_wkt()) == CRS.from_epsg(25832)
-
-
-def test_a_projected_system_is_read_from_geotiff_keys():
-    assert parse_geotiff_keys(directory((1024, 1), (3072, 32633)), b"", b"") == CRS.from_epsg(32633)
-
-
-def test_a_geographic_system_is_read_from_geotiff_keys():
-    assert parse_geotiff_keys(directory((1024, 2), (2048, 4326)), b"", b"").is_geographic
-
-
-def test_keys_without_a_system_are_none():
-    assert parse_geotiff_keys(directory(), b"", b"") is None
 
 
 @pytest.mark.parametrize("wkt", ["", "nonsense", 'PROJCS["cut off", GEOGCS['])
@@ -76,3 +57,43 @@ def test_a_system_is_named_by_its_code_or_else_its_own_name():
 def test_heights_in_feet_are_refused():
     with pytest.raises(InputError, match=r"heights .* are in US survey foot"):
         horizontal(CRS.from_string("EPSG:32632+6360"))
+
+
+@pytest.mark.parametrize("height", [7837, 5783])
+def test_a_system_without_its_heights_is_written_as_that_of_its_code(height):
+    plane = horizontal(CRS.from_user_input(f"EPSG:25832+{height}"))
+    assert plane.to_wkt() == CRS.from_epsg(25832).to_wkt()
+
+
+def test_a_datum_shift_survives_without_the_heights():
+    shift = "+proj=utm +zone=33 +ellps=bessel +towgs84=598,73,418,0,0,0,0 +units=m"
+    plane = horizontal(CRS.from_string(f"{shift} +geoidgrids=geoid.gtx +vunits=m"))
+    assert plane == CRS.from_string(shift)
+    assert "TOWGS84[598,73,418,0,0,0,0]" in plane.to_wkt()
+
+
+@pytest.mark.parametrize(
+    "wkt",
+    [
+        "",
+        'LOCAL_CS["drawing",UNIT["foot",0.3048]]',
+        CRS.from_epsg(4326).to_wkt().replace("WGS 84", UNDEFINED),
+    ],
+)
+def test_a_layer_without_a_system_on_earth_has_none(wkt):
+    assert parse_layer_wkt(wkt, "the layer walls") is None
+
+
+def test_a_layer_in_degrees_or_with_a_broken_system_is_refused():
+    with pytest.raises(InputError, match="of the layer walls are in degrees"):
+        parse_layer_wkt(CRS.from_epsg(4326).to_wkt(), "the layer walls")
+    with pytest.raises(InputError, match="of the layer walls is not understood; assign it again"):
+        parse_layer_wkt('PROJCS["cut off", GEOGCS[', "the layer walls")
+
+
+@pytest.mark.parametrize(
+    ("definition", "local"),
+    [('LOCAL_CS["site",UNIT["metre",1]]', True), ("EPSG:25832", False), ("EPSG:4326", False)],
+)
+def test_a_local_system_is_recognised(definition, local):
+    assert is_local(CRS.from_user_input(definition)) is local

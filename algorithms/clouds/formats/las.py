@@ -16,6 +16,7 @@ from ... import reference_systems
 from ...errors import InputError
 from ...progress import Progress
 from ..source import Chunk, Source, no_points, unreadable
+from .geotiff_keys import parse_geotiff_keys
 
 SAMPLES = 8
 SAMPLE_SIZE = 1000
@@ -282,7 +283,7 @@ def _read_crs(path: Path, header: laspy.LasHeader) -> tuple[Optional[CRS], tuple
             return reference_systems.parse_wkt(wkt), ()
         if 34735 in records:
             keys = [records.get(key, b"") for key in (34735, 34736, 34737)]
-            return reference_systems.parse_geotiff_keys(*keys), ()
+            return parse_geotiff_keys(*keys), ()
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     except ValueError:
