@@ -66,19 +66,35 @@ def horizontal(crs: CRS) -> CRS:
     InputError
         If the heights are not in metres.
     """
-    parts = _definition(crs).sub_crs_list
-    if not parts:
-        return crs
-    plane, *others = parts
-    units = [axis.unit_name for part in others for axis in part.axis_info if axis.unit_conversion_factor != 1]
+    definition = _definition(crs)
+    units = [axis.unit_name for axis in definition.axis_info[2:] if axis.unit_conversion_factor != 1]
     if units:
         raise InputError(f"The heights of {name_of(crs)} are in {units[0]}; convert them to metres.")
-    return _with_all_codes(CRS.from_wkt(plane.to_wkt()))
+    plane = _plane(definition)
+    return _with_all_codes(CRS.from_wkt(plane.to_wkt())) if plane else crs
+
+
+def _plane(definition: pyproj.CRS) -> Optional[pyproj.CRS]:
+    """Return a system without its part or axis of heights; None if it has none to leave out."""
+    if definition.sub_crs_list:
+        return definition.sub_crs_list[0]
+    level = definition.is_projected or definition.is_engineering
+    if definition.is_bound or not level or len(definition.axis_info) < 3:
+        return None
+    parts = definition.to_json_dict()
+    parts["coordinate_system"]["axis"] = parts["coordinate_system"]["axis"][:2]
+    return pyproj.CRS.from_json_dict(parts)
 
 
 def is_local(crs: CRS) -> bool:
     """Whether a system is tied to no place on earth, such as a scanner's own."""
     return bool(_definition(crs).is_engineering)
+
+
+def has_only_heights(crs: CRS) -> bool:
+    """Whether a system is vertical, without a horizontal one."""
+    definition = _definition(crs)
+    return bool(definition.is_vertical and not definition.sub_crs_list)
 
 
 def name_of(crs: CRS) -> str:
@@ -99,9 +115,9 @@ def require_metres(crs: CRS, owner: str) -> None:
     Raises
     ------
     InputError
-        If the axes are degrees, feet, or the metres of an earth-centred system.
+        If the axes are degrees, feet, heights alone or the metres of an earth-centred system.
     """
-    system = _unsuitable(_definition(crs))
+    system = "heights only" if has_only_heights(crs) else _unsuitable(_definition(crs))
     if system:
         raise InputError(
             f"The coordinates of {owner} are {system} ({name_of(crs)}); "
