@@ -117,7 +117,7 @@ def require_metres(crs: CRS, owner: str) -> None:
     InputError
         If the axes are degrees, feet, heights alone or the metres of an earth-centred system.
     """
-    system = "heights only" if has_only_heights(crs) else _unsuitable(_definition(crs))
+    system = unsuitable_axes(crs)
     if system:
         raise InputError(
             f"The coordinates of {owner} are {system} ({name_of(crs)}); "
@@ -125,12 +125,15 @@ def require_metres(crs: CRS, owner: str) -> None:
         )
 
 
-def _unsuitable(definition: pyproj.CRS) -> str:
-    """Return what is wrong with the axes of a system, in words that follow 'are'; empty if nothing is."""
+def unsuitable_axes(crs: CRS) -> str:
+    """Return what a system has instead of metres, in words that follow 'are', as 'in foot'; or nothing."""
+    definition = _definition(crs)
     if definition.is_geographic:
         return "in degrees"
     if definition.is_geocentric:
         return "earth-centred"
+    if has_only_heights(crs):
+        return "heights only"
     units = [axis.unit_name for axis in definition.axis_info if axis.unit_conversion_factor != 1]
     return f"in {units[0]}" if units else ""
 
