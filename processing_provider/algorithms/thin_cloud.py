@@ -1,5 +1,6 @@
 """The algorithm `thincloud`."""
 
+from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS, SPACING, open_site
@@ -19,9 +20,7 @@ class ThinCloudAlgorithm(Algorithm):
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (CLOUDS, SPACING)
-    destinations = (
-        CloudDestination("OUTPUT", "Thinned cloud", "LAZ, LAS or text (XYZ, TXT, CSV), by extension."),
-    )
+    destinations = (CloudDestination("OUTPUT", "Thinned cloud", f"{writable_formats()}, by extension."),)
     numbers = (
         ("POINTS_IN", "Number of points in the clouds"),
         ("POINTS_OUT", "Number of points after thinning"),

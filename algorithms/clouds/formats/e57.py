@@ -14,11 +14,11 @@ from ...geometry.motion import product
 from ...progress import Progress
 from ...reference_systems import parse_wkt
 from ..source import Chunk, Source, no_points, unreadable
+from . import E57_PACKAGES
 from .normals import find_normals
 from .stated_crs import read_crs
 from .value_ranges import to_uint16
 
-PACKAGES = ("pye57", "pyquaternion")
 SAMPLE = 10_000
 
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
@@ -155,7 +155,7 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
     try:
         from pye57 import libe57
     except ModuleNotFoundError as error:
-        raise MissingPackageError(str(path), PACKAGES) from error
+        raise MissingPackageError(str(path), E57_PACKAGES) from error
     try:
         with path.open("rb") as stream:
             if stream.read(8) != b"ASTM-E57":
