@@ -20,7 +20,8 @@ from ...reference_systems import name_of, unsuitable_axes
 from ..formats.las import LasSource, coordinates
 from ..formats.normals import find_normals
 from ..formats.text import TextSource
-from ..formats.text_layout import Dialect, Layout
+from ..formats.text_dialect import Dialect
+from ..formats.text_layout import Layout
 from ..source import Source
 from .point_selection import (
     CHUNK_SIZE,
