@@ -15,6 +15,7 @@ PYPI_NAMES = {
     "shapely": "shapely",
     "fiona": "fiona",
     "rasterio": "rasterio",
+    "pyproj": "pyproj",
     "laspy": "laspy",
     "lazrs": "lazrs",
 }

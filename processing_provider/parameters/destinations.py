@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingParameterVectorDestination,
 )
 
+from ...algorithms.clouds.formats import FORMATS
 from ...algorithms.errors import InputError, MissingPackageError
 from ..dependencies import lacking
 from .parameter import Parameter
@@ -157,8 +158,8 @@ class FileDestination(Destination):
 class CloudDestination(FileDestination):
     """A point cloud."""
 
-    extensions = (".laz", ".las", ".xyz", ".csv", ".txt")
-    filters = "LAZ files (*.laz);;LAS files (*.las);;Text (*.xyz *.txt);;CSV (*.csv)"
+    extensions = tuple(item.extension for item in FORMATS if item.is_written)
+    filters = ";;".join(f"{item.name} files (*{item.extension})" for item in FORMATS if item.is_written)
 
 
 @dataclass(frozen=True)

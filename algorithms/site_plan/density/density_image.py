@@ -17,7 +17,8 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.thinning.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.tile_store import Tile, TileStore, fill, stray_warning
 from ...errors import InputError
 from ...progress import Progress
 from ..walls.height_gate import Heights

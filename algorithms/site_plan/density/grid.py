@@ -7,7 +7,8 @@ from affine import Affine
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from ...clouds.thinning.tiles import LATTICE, TileStore
+from ...clouds.tiles.lattice import LATTICE
+from ...clouds.tiles.tile_store import TileStore
 from ...errors import InputError
 
 MAX_PIXELS = 100_000_000

@@ -7,7 +7,8 @@ from typing import Optional
 import numpy as np
 
 from ...clouds.cloud import Cloud, names_of
-from ...clouds.thinning.tiles import LATTICE, Tile, TileStore
+from ...clouds.tiles.lattice import LATTICE
+from ...clouds.tiles.tile_store import Tile, TileStore
 from ...errors import InputError
 from ...progress import Progress
 from .grid import Grid

@@ -10,7 +10,8 @@ import numpy as np
 from numba import njit
 from scipy import ndimage
 
-from ...clouds.thinning.tiles import LATTICE, Tile, to_lattice
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.tile_store import Tile
 from ...progress import Progress
 from ..density.density_image import WINDOW, DensityImage, SortedPoints
 

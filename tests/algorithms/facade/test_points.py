@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.facade.planes.facade_points import read_points
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
 

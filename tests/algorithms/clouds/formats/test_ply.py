@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.ply import PlySource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_ply
+from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
 DATA = Path(__file__).parents[4] / "shared" / "data"
 

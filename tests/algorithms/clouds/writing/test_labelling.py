@@ -7,7 +7,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.writing.labelling import write_labelled
 from ichnograph.algorithms.errors import InputError
-from ichnograph.tests.algorithms.clouds.formats import write_ply
+from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
 
 def las(path, count, point_format=7, seed=0, extra=True):

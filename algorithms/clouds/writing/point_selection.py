@@ -17,12 +17,11 @@ from ...errors import InputError, NothingFoundError
 from ...files import atomic_output
 from ...progress import Progress
 from ..cloud import Cloud, parts
+from ..formats import format_of, writable_formats
 from ..formats.las import LasSource, open_reader
 from ..source import Chunk
 
 CHUNK_SIZE = 1_000_000
-LAS_EXTENSIONS = (".las", ".laz")
-SEPARATORS = {".xyz": " ", ".txt": " ", ".csv": ","}
 
 # Coordinates that must be stored anew: to a tenth of a millimetre, finer if the input is finer,
 # but not so fine that 32 bits no longer span a site.
@@ -63,7 +62,7 @@ def write_cloud(
     if not len(kept):
         raise NothingFoundError(f"No point is left to write to {target}.")
     with atomic_output(target) as temporary:
-        if target.suffix.lower() in SEPARATORS:
+        if is_text(target):
             written = _write_text(cloud, kept, temporary, progress)
         elif have_one_point_format(cloud):
             written = _copy_records(cloud, kept, temporary, progress)
@@ -82,13 +81,17 @@ def check_target(cloud: Cloud, target: Path) -> None:
     InputError
         If its extension is not known, or it is an input.
     """
-    writable = (*LAS_EXTENSIONS, *SEPARATORS)
-    if target.suffix.lower() not in writable or target.name.lower().endswith(".copc.laz"):
-        raise InputError(
-            f"{target} has an extension that cannot be written; choose one of {', '.join(writable)}."
-        )
+    known = format_of(target)
+    if known is None or not known.is_written or target.name.lower().endswith(".copc.laz"):
+        raise InputError(f"{target} has an extension that cannot be written; choose {writable_formats()}.")
     if target.resolve() in [source.path.resolve() for source in cloud.sources]:
         raise InputError(f"{target} is an input as well; choose another name for the output.")
+
+
+def is_text(target: Path) -> bool:
+    """Whether a file that can be written holds lines of text."""
+    known = format_of(target)
+    return known is not None and known.is_text
 
 
 def _rows(kept: np.ndarray, start: int, count: int) -> np.ndarray:
@@ -133,7 +136,7 @@ def append_rows(table: pd.DataFrame, stream: TextIO, path: Path) -> None:
     """Write rows to a text file, after a header if they are its first."""
     table.to_csv(
         stream,
-        sep=SEPARATORS[path.suffix.lower()],
+        sep=format_of(path).separator,
         header=stream.tell() == 0,
         index=False,
         float_format="%.5f",

@@ -12,7 +12,7 @@ from ichnograph.algorithms.clouds.formats.e57 import E57Source
 from ichnograph.algorithms.clouds.formats.ptx import PtxSource
 from ichnograph.algorithms.errors import CancelledError, InputError, MissingPackageError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_e57
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57
 from rasterio.crs import CRS
 
 DATA = Path(__file__).parents[4] / "shared" / "data"

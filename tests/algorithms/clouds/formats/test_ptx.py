@@ -11,7 +11,7 @@ from ichnograph.algorithms.clouds.formats.ptx import PtxSource
 from ichnograph.algorithms.clouds.formats.text import TextSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_ptx
 
 DATA = Path(__file__).parents[4] / "shared" / "data"
 

@@ -9,11 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.cloud import open_cloud, open_sources
 from ichnograph.algorithms.clouds.writing import transformation
-from ichnograph.algorithms.clouds.writing.transformation import transform_cloud, transformed_names
+from ichnograph.algorithms.clouds.writing.transformation import (
+    transform_cloud,
+    transformed_names,
+    unit_warnings,
+)
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.geometry.motion import Motion
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
@@ -350,3 +354,17 @@ def test_cancelling_leaves_no_output(tmp_path, xyz, name):
             tmp_path / name, MATRIX, tmp_path / f"out_{name}", progress=Progress(is_cancelled=lambda: True)
         )
     assert {file.name for file in tmp_path.iterdir()} == {"in.laz", "in.xyz"}
+
+
+@pytest.mark.parametrize(("epsg", "unit"), [(2994, "in foot"), (4326, "in degrees"), (25833, "")])
+def test_a_cloud_that_is_not_in_metres_is_a_warning(tmp_path, epsg, unit):
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales = np.full(3, 1e-3)
+    header.vlrs.append(WktCoordinateSystemVlr(CRS.from_epsg(epsg).to_wkt()))
+    data = laspy.LasData(header)
+    data.x, data.y, data.z = np.ones((3, 5))
+    data.write(tmp_path / "scan.las")
+    warnings = unit_warnings(open_sources([tmp_path / "scan.las"]))
+    assert len(warnings) == bool(unit)
+    if unit:
+        assert f"scan.las are {unit} (EPSG:{epsg}), but transformations are in metres" in warnings[0]

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.clouds.writing import cloud_writing
-from ichnograph.algorithms.clouds.writing.cloud_writing import write_cloud
+from ichnograph.algorithms.clouds.writing import point_selection
+from ichnograph.algorithms.clouds.writing.point_selection import write_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError, NothingFoundError
 from ichnograph.algorithms.progress import Progress
 from laspy.vlrs.known import WktCoordinateSystemVlr
@@ -152,7 +152,7 @@ def test_exactly_the_kept_points_are_written_whatever_the_chunks(tmp_path_factor
     paths = [las(folder / "a.las", 20), las(folder / "b.las", 30)]
     kept = np.array(sorted(kept))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(cloud_writing, "CHUNK_SIZE", size)
+        patch.setattr(point_selection, "CHUNK_SIZE", size)
         assert write_cloud(open_cloud(paths), kept, folder / "out.las") == len(kept)
     np.testing.assert_array_equal(all_xyz([folder / "out.las"]), all_xyz(paths)[kept])
 

@@ -1,40 +1,24 @@
-"""Points of a site sorted into square tiles on disk, so that the whole cloud is never in memory.
-
-Coordinates are integers on a lattice of 10 micrometres, fixed to the coordinate system's origin. A tile's
-border, a pixel's edge and a distance are then the same however the cloud is cut into files or chunks, and at
-any size of the coordinates.
-"""
+"""Points of a site sorted into square tiles on disk, so that the whole cloud is never in memory."""
 
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from types import TracebackType
+from typing import IO, Optional
 
 import numpy as np
-from numba import njit
 
 from ...errors import InputError
 from ...progress import Progress
 from ..cloud import Cloud, names_of
+from ..settings import TileSettings
+from .lattice import tiles_of, to_lattice
 
-LATTICE = 1e-5
-"""Step of the lattice, in metres: a tenth of the finest step that scanners' files use."""
-
-FINE = 1e-7
-"""Step of the integers that coordinates are rounded from, in metres; finer than files are written."""
-
-MAX_HEIGHT = 20_000.0
-"""Heights beyond this, in metres, fit no site: stray measurements or geocentric coordinates."""
-
-MAX_DISTANCE = 1e9
-"""Points farther than this (m) from the others are stray; the lattice's integers end not much later."""
+Key = tuple[int, int]
+"""Column and row of a tile."""
 
 _RECORD = np.dtype([("xyz", "<i4", 3), ("index", "<i8")])
-
-
-def to_lattice(metres: float) -> int:
-    """Return a length in steps of the lattice."""
-    return round(metres / LATTICE)
 
 
 @dataclass(frozen=True)
@@ -53,7 +37,7 @@ class Tile:
         Edge of the tile, lattice steps.
     """
 
-    corner: tuple
+    corner: tuple[int, int]
     xyz: np.ndarray
     index: np.ndarray
     edge: int
@@ -66,22 +50,35 @@ class TileStore:
     ----------
     edge : float
         Edge of a tile in metres.
+    settings : TileSettings
     """
 
-    def __init__(self, edge: float) -> None:
+    def __init__(self, edge: float, settings: TileSettings = TileSettings()) -> None:
         self.edge = to_lattice(edge)
+        self.settings = settings
         self.point_count = 0
         self.stray_count = 0
-        self._parts = defaultdict(list)
+        self._parts: dict[Key, list[tuple[int, int]]] = defaultdict(list)
         self._end = 0
-        self._file = None
+        self._open_file: Optional[IO[bytes]] = None
 
     def __enter__(self) -> "TileStore":
-        self._file = tempfile.TemporaryFile(prefix="ichnograph-")
+        self._open_file = tempfile.TemporaryFile(prefix="ichnograph-")
         return self
 
-    def __exit__(self, *exception) -> None:
+    def __exit__(
+        self,
+        kind: Optional[type[BaseException]],
+        error: Optional[BaseException],
+        traceback: Optional[TracebackType],
+    ) -> None:
         self._file.close()
+
+    @property
+    def _file(self) -> IO[bytes]:
+        if self._open_file is None:
+            raise ValueError("the store of tiles is not open")
+        return self._open_file
 
     def add(self, xyz: np.ndarray, origin: np.ndarray) -> None:
         """Sort points into their tiles.
@@ -95,9 +92,9 @@ class TileStore:
         """
         index = np.arange(self.point_count, self.point_count + len(xyz))
         self.point_count += len(xyz)
-        near = np.abs(xyz[:, 2] + origin[2]) < MAX_HEIGHT
+        near = np.abs(xyz[:, 2] + origin[2]) < self.settings.max_height_m
         for axis in (0, 1):
-            near &= np.abs(xyz[:, axis]) < MAX_DISTANCE
+            near &= np.abs(xyz[:, axis]) < self.settings.max_distance_m
         if not near.all():
             self.stray_count += int((~near).sum())
             xyz, index = xyz[near], index[near]
@@ -107,23 +104,23 @@ class TileStore:
             self._parts[tuple(key[start].tolist())].append((self._end + start, stop - start))
         self._append(records)
 
-    def counts(self) -> dict:
+    def counts(self) -> dict[Key, int]:
         """Return the number of points by tile (column, row)."""
         return {key: sum(n for _, n in parts) for key, parts in self._parts.items()}
 
-    def tile(self, key: tuple) -> Tile:
+    def tile(self, key: Key) -> Tile:
         """Read the tile in column and row `key`, its points in the cloud's order."""
         records = self._records(key)
         corner = (key[0] * self.edge, key[1] * self.edge)
         return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"], self.edge)
 
-    def keep(self, key: tuple, rows: np.ndarray) -> None:
+    def keep(self, key: Key, rows: np.ndarray) -> None:
         """Leave out all but some rows of the tile `key`."""
         records = self._records(key)[rows]
         self._parts[key] = [(self._end, len(records))]
         self._append(records)
 
-    def _records(self, key: tuple) -> np.ndarray:
+    def _records(self, key: Key) -> np.ndarray:
         blocks = []
         for start, count in self._parts[key]:
             self._file.seek(int(start) * _RECORD.itemsize)
@@ -135,7 +132,7 @@ class TileStore:
         records.tofile(self._file)
         self._end += len(records)
 
-    def tiles(self, keys: list, progress: Progress, message: str) -> Iterator[tuple]:
+    def tiles(self, keys: list[Key], progress: Progress, message: str) -> Iterator[tuple[Key, Tile]]:
         """Yield (key, tile) in the order of `keys`, reporting progress."""
         counts = self.counts()
         total = max(sum(counts[key] for key in keys), 1)
@@ -146,37 +143,18 @@ class TileStore:
             done += counts[key]
 
 
-def _by_tile(xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int) -> tuple:
+def _by_tile(
+    xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return tile keys (n, 2) and records (n,), both sorted by row, then column; a stable order."""
-    key, place = _place(np.ascontiguousarray(xyz), origin, edge, round(1 / FINE), round(LATTICE / FINE))
+    key, steps = tiles_of(xyz, origin, edge)
     column, row = (key - key.min(axis=0)).T if len(key) else key.T
     # Scanners write neighbours in sequence, and a stable sort is fast on what is sorted already.
     order = np.argsort(row * (column.max(initial=0) + 1) + column, kind="stable")
     records = np.empty(len(key), _RECORD)
-    records["xyz"] = place[order]
+    records["xyz"] = steps[order]
     records["index"] = index[order]
     return key[order], records
-
-
-@njit(nogil=True, cache=True)
-def _place(xyz, origin, edge, per_metre, steps):
-    """Return the tile of each point, and its lattice coordinates about the tile's corner."""
-    key = np.empty((len(xyz), 2), np.int64)
-    place = np.empty((len(xyz), 3), np.int32)
-    for i in range(len(xyz)):
-        for axis in range(2):
-            value = _rounded(xyz[i, axis], origin[axis], per_metre, steps)
-            key[i, axis] = value // edge
-            place[i, axis] = value - key[i, axis] * edge
-        place[i, 2] = _rounded(xyz[i, 2], origin[2], per_metre, steps)
-    return key, place
-
-
-@njit(nogil=True, cache=True)
-def _rounded(value, origin, per_metre, steps):
-    """Round to the lattice by way of finer integers: a tie must not depend on the origin."""
-    fine = np.int64(np.rint(value * per_metre)) + origin * per_metre
-    return (fine + steps // 2) // steps
 
 
 def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
@@ -189,15 +167,16 @@ def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
     """
     for chunk in cloud.chunks(progress):
         store.add(chunk.xyz, cloud.origin)
-    if store.stray_count > 0.01 * store.point_count:
+    if store.stray_count > store.settings.max_stray_share * store.point_count:
+        kilometres = store.settings.max_height_m / 1000
         raise InputError(
             f"{names_of(cloud.sources)}: {store.stray_count} of {store.point_count} points lie more than "
-            f"{MAX_HEIGHT / 1000:.0f} km high or deep; transform geocentric coordinates to a projected "
+            f"{kilometres:.0f} km high or deep; transform geocentric coordinates to a projected "
             "coordinate reference system in metres first."
         )
 
 
-def stray_warning(cloud: Cloud, stray: int, total: int) -> tuple:
+def stray_warning(cloud: Cloud, stray: int, total: int) -> tuple[str, ...]:
     """Return the sentence that says how many points are left out, or nothing."""
     if not stray:
         return ()
