@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.adjustment.network import Network
-from ichnograph.algorithms.registration.matching.growth import grow
+from ichnograph.algorithms.registration.adjustment.control_network import Network
 from ichnograph.algorithms.registration.registration import reduced, register_scans
+from ichnograph.algorithms.registration.sequential_registration import grow
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 

@@ -13,10 +13,10 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from ..adjustment.similarity import Pose, fit_pose
+from ..adjustment.target_layout import FLAT, fixes_pose, spread
 from ..settings import Model
-from .candidates import Candidates, find_candidates, pruned, seeds
 from .control_points import Site
-from .layout import FLAT, fixes_pose, spread
+from .matching_matrix import Candidates, find_candidates, pruned, seeds
 from .similar_triangles import SimilarTriangles, named_seeds
 
 MOST_SOLUTIONS = 48

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ..matching.control_points import factor_of
 from ..settings import Matching, Model, Settings
-from .control_points import factor_of
 
 FLAT = 1e-3
 """Where the scale may be any, what is thinner than this share of its extent counts as a line."""

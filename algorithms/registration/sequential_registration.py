@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.distance import cdist
 
-from ...progress import Progress
-from ..adjustment.network import Network
-from ..adjustment.scan_adjustment import Fit, fit_scan
-from ..adjustment.similarity import Pose, parameter_design
-from ..lists.point_list import PointList
-from ..settings import Matching, Settings
-from .control_points import GATE, factor_of
-from .layout import line_width
-from .scan_matching import Found, find_scan
+from ..progress import Progress
+from .adjustment.control_network import Network
+from .adjustment.scan_adjustment import Fit, fit_scan
+from .adjustment.similarity import Pose, parameter_design
+from .adjustment.target_layout import line_width
+from .lists.point_list import PointList
+from .matching.control_points import GATE, factor_of
+from .matching.scan_matching import Found, find_scan
+from .settings import Matching, Settings
 
 CERTAIN = 1e-8
 """Expected number of accidental matches below which a scan is registered at once."""
