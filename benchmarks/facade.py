@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from ichnograph.algorithms.facade.elevation import Elevation, Points
-from ichnograph.algorithms.facade.facade import measure_facade
+from ichnograph.algorithms.facade.measurement import measure_facade
 from ichnograph.algorithms.facade.settings import Settings
 from ichnograph.tests.scenes.facades import FACADES, FacadeScan, FacadeScene
 from ichnograph.tests.scenes.facades.judging import Judgement, in_scene, judge

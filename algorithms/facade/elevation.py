@@ -117,6 +117,14 @@ class Frame:
         return self.origin + np.asarray(uvw) @ self.axes
 
 
+def frame_of(plane: Plane, origin: np.ndarray) -> Frame:
+    """Return the frame of a plane, with u, v, w = 0 amid its points, which are relative to `origin`."""
+    east, north, up = plane.normal
+    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
+    tilt = float(np.degrees(np.arctan2(up, np.hypot(east, north))))
+    return Frame(plane.centre + origin, azimuth, tilt)
+
+
 @dataclass(frozen=True)
 class Edges:
     """Standard deviations of where the four sides of a detail lie (m); nan where nothing was seen.

@@ -87,12 +87,12 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict, log: Log) -> Outcome:
         """Measure the facade."""
-        from ...algorithms.facade.facade import measure_facade
+        from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing
         from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
         from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
         from ...algorithms.facade.output.schedule import write_schedule
-        from ...algorithms.facade.planes.facade_points import read_points
+        from ...algorithms.facade.points import read_points
         from ...algorithms.facade.settings import Settings
 
         settings = Settings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})

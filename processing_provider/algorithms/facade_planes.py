@@ -58,8 +58,8 @@ class FacadePlanesAlgorithm(Algorithm):
         """Find the planes; the points are copied when the file is written."""
         from ...algorithms.clouds.writing.labelling import write_labelled
         from ...algorithms.facade.output.plane_layers import write_planes
-        from ...algorithms.facade.planes.facade_points import read_points
-        from ...algorithms.facade.planes.planes import find_planes
+        from ...algorithms.facade.planes.segmentation import find_planes
+        from ...algorithms.facade.points import read_points
 
         cloud = open_site(values)
         log.warn(cloud.warnings)

@@ -10,8 +10,7 @@ from shapely.geometry import MultiPolygon
 
 from ...geometry.triangulation import triangulate
 from ...vector import write_vector
-from ..elevation import Plane, Points, Segmentation
-from ..facade import frame_of
+from ..elevation import Plane, Points, Segmentation, frame_of
 from ..outlines.alpha_shape import alpha_shape
 from ..planes.voxels import square_means
 from .elevation_layers import in_space

@@ -4,7 +4,7 @@ import laspy
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.facade.planes.facade_points import read_points
+from ichnograph.algorithms.facade.points import read_points
 from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
 
 COUNT = 40

@@ -13,7 +13,7 @@ from ichnograph.algorithms.facade.colour.region_growing import grow_regions
 from ichnograph.algorithms.facade.colour.seeds import PAPER_VARIANCE, find_seeds
 from ichnograph.algorithms.facade.settings import Settings
 from ichnograph.algorithms.geometry.triangulation import triangulate
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import lattice
 
 STEP = 0.02
 PLACES = lattice(0, 0, 3, 2, STEP)

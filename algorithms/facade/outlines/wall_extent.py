@@ -7,8 +7,8 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from ..elevation import COLOURED, PROJECTION
-from ..outlines.holes import Hole
-from ..outlines.surface import Surface
+from .holes import Hole
+from .surface import Surface
 
 DEEP, DEEPEST = 2.0, 0.5
 """A projection hides a strip of the wall that is this many times wider than it is deep, but no wider (m)."""

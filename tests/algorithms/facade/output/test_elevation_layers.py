@@ -13,7 +13,7 @@ from ichnograph.algorithms.facade.output.drawing import write_drawing
 from ichnograph.algorithms.facade.output.elevation_layers import FIELDS, write_details, write_elevation
 from ichnograph.algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
 from ichnograph.algorithms.facade.output.schedule import write_schedule
-from ichnograph.tests.algorithms.facade.simple import lattice, small_elevation
+from ichnograph.tests.algorithms.facade.samples import lattice, small_elevation
 from rasterio.crs import CRS
 from shapely.geometry import shape
 

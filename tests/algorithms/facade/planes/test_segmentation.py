@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.errors import NothingFoundError
-from ichnograph.algorithms.facade.planes.planes import find_planes
-from ichnograph.tests.algorithms.facade.simple import bare, lattice, upright
+from ichnograph.algorithms.facade.planes.segmentation import find_planes
+from ichnograph.tests.algorithms.facade.samples import bare, lattice, upright
 from ichnograph.tests.scenes.facades import FACADES
 
 DISTANCE = 0.05

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.facade.outlines.border import Lost, trace_border
 from ichnograph.algorithms.facade.outlines.jambs import is_plumb
 from ichnograph.algorithms.facade.outlines.regular_outlines import make_outline
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import lattice
 
 STEP, BAND = 0.02, 0.3
 NONE = np.empty((0, 2))

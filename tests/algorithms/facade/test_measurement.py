@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS, Points
-from ichnograph.algorithms.facade.facade import measure_facade
+from ichnograph.algorithms.facade.measurement import measure_facade
 from ichnograph.algorithms.facade.settings import Settings
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import in_scene, judge
@@ -164,7 +164,7 @@ def test_scans_of_different_gain_are_compared_each_with_its_own(medina):
 
 
 def test_a_wall_without_details_is_a_wall(tmp_path):
-    from ichnograph.tests.algorithms.facade.simple import bare, upright
+    from ichnograph.tests.algorithms.facade.samples import bare, upright
 
     elevation = measure_facade(bare(upright(4, 3)), Settings())
     assert elevation.details == ()

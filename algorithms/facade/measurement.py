@@ -11,13 +11,13 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
-from .elevation import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation
+from .elevation import PROJECTION, Detail, Elevation, Frame, Points, Segmentation, frame_of
 from .outlines.details import Found, Scene, coloured_details, empty_places, hole_details, projecting_details
 from .outlines.holes import NEAR, Hole, classify, find_gaps
 from .outlines.regular_outlines import make_outline
 from .outlines.surface import Surface, make_surface
-from .planes.planes import find_planes
-from .planes.wall_extent import complete, parts_of
+from .outlines.wall_extent import complete, parts_of
+from .planes.segmentation import find_planes
 from .settings import Settings
 
 PARALLEL = 10.0
@@ -69,14 +69,6 @@ def measure_facade(points: Points, settings: Settings, progress: Progress = Prog
         found += projecting_details(scene, label, surface, empty, settings)
     progress.update(0.85, "Making outlines")
     return _elevation(points, scene, frame, wall, holes, found, settings)
-
-
-def frame_of(plane: Plane, origin: np.ndarray) -> Frame:
-    """Return the frame of a plane, with u, v, w = 0 amid its points, which are relative to `origin`."""
-    east, north, up = plane.normal
-    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
-    tilt = float(np.degrees(np.arctan2(up, np.hypot(east, north))))
-    return Frame(plane.centre + origin, azimuth, tilt)
 
 
 def _coloured(points: Points, wall: Surface, settings: Settings, progress: Progress) -> Coloured:

@@ -5,10 +5,10 @@ from typing import Optional
 
 import numpy as np
 
-from ...clouds.cloud import Cloud, parts
-from ...clouds.thinning.thinning import thin_cloud
-from ...progress import Progress
-from ..elevation import Points
+from ..clouds.cloud import Cloud, parts
+from ..clouds.thinning.thinning import thin_cloud
+from ..progress import Progress
+from .elevation import Points
 
 CHUNK_SIZE = 1_000_000
 

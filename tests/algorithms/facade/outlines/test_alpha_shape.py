@@ -9,7 +9,7 @@ from ichnograph.algorithms.facade.outlines.denoising import remove_noise
 from ichnograph.algorithms.facade.outlines.surface import make_surface
 from ichnograph.algorithms.facade.settings import Settings
 from ichnograph.algorithms.geometry.triangulation import triangulate
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import lattice
 from shapely.geometry import Polygon
 
 PAPER = {"factor": 3.0, "count": 5, "rounds": 10}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.facade.colour.intensity_scale import make_relative
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import lattice
 
 PLACES = lattice(0, 0, 6, 4, 0.03)
 PANEL = ((PLACES > (2, 1)) & (PLACES < (3.5, 3))).all(axis=1)

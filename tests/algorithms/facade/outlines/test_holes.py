@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import OPENING, RECESS
 from ichnograph.algorithms.facade.outlines.holes import classify, find_gaps, within
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import lattice
 from shapely.geometry import MultiPolygon, Polygon, box
 
 DISTANCE, SPACING = 0.05, 0.01
