@@ -193,7 +193,7 @@ def _print_whole(scan) -> None:
         "from ichnograph.algorithms.facade import measurement, points, settings\n"
         "from ichnograph.algorithms.facade.output import elevation_layers, orthoimage, schedule\n"
         "cloud = points.read_points(open_cloud([sys.argv[1]]))\n"
-        "elevation = measurement.measure_facade(cloud, settings.Settings())\n"
+        "elevation = measurement.measure_facade(cloud, settings.FacadeSettings())\n"
         "folder = Path(sys.argv[1]).parent\n"
         "elevation_layers.write_elevation(folder / 'elevation.shp', elevation)\n"
         "orthoimage.write_orthoimage(folder / 'orthoimage.tif', cloud, elevation, 0.02, False)\n"
