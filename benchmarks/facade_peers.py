@@ -24,7 +24,7 @@ from typing import Callable, Optional
 import numpy as np
 from ichnograph.algorithms.facade.elevation import Points
 from ichnograph.algorithms.facade.outlines.alpha_shape import alpha_shape
-from ichnograph.algorithms.facade.planes.planes import find_planes
+from ichnograph.algorithms.facade.planes.segmentation import find_planes
 from ichnograph.algorithms.geometry.triangulation import triangulate
 from ichnograph.tests.scenes.facades import FACADES, FacadeScene
 from ichnograph.tests.scenes.facades.__main__ import write_laz
@@ -190,11 +190,12 @@ def _print_whole(scan) -> None:
     code = (
         "import sys; from pathlib import Path\n"
         "from ichnograph.algorithms.clouds.cloud import open_cloud\n"
-        "from ichnograph.algorithms.facade import layers, measuring, orthoimage, points, schedule, settings\n"
+        "from ichnograph.algorithms.facade import measurement, points, settings\n"
+        "from ichnograph.algorithms.facade.output import elevation_layers, orthoimage, schedule\n"
         "cloud = points.read_points(open_cloud([sys.argv[1]]))\n"
-        "elevation = measuring.measure_facade(cloud, settings.Settings())\n"
+        "elevation = measurement.measure_facade(cloud, settings.FacadeSettings())\n"
         "folder = Path(sys.argv[1]).parent\n"
-        "layers.write_elevation(folder / 'elevation.shp', elevation)\n"
+        "elevation_layers.write_elevation(folder / 'elevation.shp', elevation)\n"
         "orthoimage.write_orthoimage(folder / 'orthoimage.tif', cloud, elevation, 0.02, False)\n"
         "schedule.write_schedule(folder / 'schedule.csv', elevation)\n"
     )

@@ -14,9 +14,9 @@ def border_of(shape, scatter=GAP / np.sqrt(12), seed=0):
     """Return the border of a shape as points `GAP` apart see it."""
     count = int(shape.exterior.length / GAP)
     along = np.linspace(0, shape.exterior.length, count, endpoint=False)
-    places = np.array([shape.exterior.interpolate(place).coords[0] for place in along])
-    places += np.random.default_rng(seed).normal(0, scatter, places.shape)
-    return Border(Polygon(places).buffer(0), places, np.full(count, GAP))
+    crossings = np.array([shape.exterior.interpolate(station).coords[0] for station in along])
+    crossings += np.random.default_rng(seed).normal(0, scatter, crossings.shape)
+    return Border(Polygon(crossings).buffer(0), crossings, np.full(count, GAP))
 
 
 def arched(width, height):
@@ -68,8 +68,8 @@ def test_nothing_is_regular_if_not_asked_for():
 
 def test_a_branch_before_a_side_does_not_move_it():
     border = border_of(box(0, 0, 1, 1.5))
-    hidden = (border.places[:, 0] > 0.95) & (np.abs(border.places[:, 1] - 0.7) < 0.1)
-    border.places[hidden, 0] -= 0.08
+    hidden = (border.crossings[:, 0] > 0.95) & (np.abs(border.crossings[:, 1] - 0.7) < 0.1)
+    border.crossings[hidden, 0] -= 0.08
     outline = make_outline(border, True)
 
     assert outline.shape == RECTANGLE
@@ -86,8 +86,8 @@ def test_deviations_tell_the_errors_of_random_borders():
 
 
 def test_an_edge_along_a_line_of_the_scan_may_lie_anywhere_in_the_gap():
-    places = np.column_stack([np.zeros(100), np.linspace(0, 1, 100)])
-    assert edge_deviation(np.zeros(100), places, np.full(100, GAP)) == pytest.approx(
+    crossings = np.column_stack([np.zeros(100), np.linspace(0, 1, 100)])
+    assert edge_deviation(np.zeros(100), crossings, np.full(100, GAP)) == pytest.approx(
         GAP / np.sqrt(12), rel=0.1
     )
 

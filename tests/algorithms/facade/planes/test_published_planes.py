@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.planes.planes import find_planes
-from ichnograph.tests.algorithms.facade.simple import bare
+from ichnograph.algorithms.facade.planes.segmentation import find_planes
+from ichnograph.tests.algorithms.facade.samples import bare
 
-CORNICE = Path(__file__).parents[4] / "shared" / "data" / "cornice_pcl_region_growing" / "cornice.xyz"
+CORNICE = Path(__file__).parents[5] / "shared" / "data" / "cornice_pcl_region_growing" / "cornice.xyz"
 UPRIGHT = np.array([[0.899, 0.438, 0.0], [0.0, 0.0, 1.0], [0.438, -0.899, 0.0]])
 """From the frame of the camera: right, away from it, up."""
 

@@ -1,35 +1,36 @@
-"""Read all points of a scan."""
+"""The points of a facade, read from its scans."""
 
 from collections.abc import Iterator
 from typing import Optional
 
 import numpy as np
 
-from ...clouds.cloud import Cloud, parts
-from ...clouds.thinning.thinning import thin_cloud
-from ...progress import Progress
-from ..elevation import Points
+from ..clouds.cloud import Cloud, parts
+from ..clouds.source import Chunk
+from ..clouds.thinning.thinning import thin_cloud
+from ..progress import Progress
+from .elevation import Points
+from .settings import ThinningSettings
 
 CHUNK_SIZE = 1_000_000
 
-FINEST, COARSER = 0.002, 1.05
-"""The first distance that points are thinned to (m), and by how much the next is larger at least."""
 
-
-def read_points(cloud: Cloud, progress: Progress = Progress(), most: Optional[int] = None) -> Points:
+def read_points(
+    cloud: Cloud, progress: Progress = Progress(), thinning: Optional[ThinningSettings] = None
+) -> Points:
     """Return the points of a cloud, with colour and intensity where all its files have them.
 
     Parameters
     ----------
     cloud : Cloud
     progress : Progress
-    most : int, optional
-        A cloud of more points is thinned to a distance at which there are no more.
+    thinning : ThinningSettings, optional
+        How larger clouds are thinned; all points are kept if not given.
 
     Raises
     ------
     InputError
-        If a file turns out to be damaged.
+        If a file is damaged.
     """
     has_rgb = _all_have(cloud, "has_rgb", "colour", progress)
     has_intensity = _all_have(cloud, "has_intensity", "intensity", progress)
@@ -48,21 +49,21 @@ def read_points(cloud: Cloud, progress: Progress = Progress(), most: Optional[in
         np.concatenate(intensity) if has_intensity else None,
         scan.astype(np.int32),
     )
-    if most is None or len(points.xyz) <= most:
+    if thinning is None or len(points.xyz) <= thinning.most_points:
         return points
-    return _thinned(cloud, points, most, progress)
+    return _thinned(cloud, points, thinning, progress)
 
 
-def _thinned(cloud: Cloud, points: Points, most: int, progress: Progress) -> Points:
-    spacing, kept = FINEST, np.arange(len(points.xyz))
-    while len(kept) > most:
+def _thinned(cloud: Cloud, points: Points, settings: ThinningSettings, progress: Progress) -> Points:
+    spacing, kept = settings.finest_m, np.arange(len(points.xyz))
+    while len(kept) > settings.most_points:
         kept = thin_cloud(cloud, spacing).kept
         # Points lie on surfaces, so their number falls with the square of their distance.
-        used, spacing = spacing, spacing * max(COARSER, np.sqrt(len(kept) / most))
+        used, spacing = spacing, spacing * max(settings.coarser, np.sqrt(len(kept) / settings.most_points))
     progress.update(
         1.0,
-        f"The {len(points.xyz)} points were thinned to {len(kept)}, {1000 * used:.1f} mm apart; cut the "
-        "cloud to the facade for more.",
+        f"The {len(points.xyz)} points were thinned to {len(kept)}, {1000 * used:.1f} mm apart; clip the "
+        "cloud to the facade to keep more.",
     )
     return Points(
         points.xyz[kept],
@@ -73,7 +74,7 @@ def _thinned(cloud: Cloud, points: Points, most: int, progress: Progress) -> Poi
     )
 
 
-def _chunks(cloud: Cloud, progress: Progress) -> Iterator:
+def _chunks(cloud: Cloud, progress: Progress) -> Iterator[tuple[int, Chunk]]:
     for number, (source, part) in enumerate(parts(cloud.sources, progress)):
         for chunk in source.chunks(cloud.origin, part, CHUNK_SIZE):
             yield number, chunk
@@ -82,5 +83,7 @@ def _chunks(cloud: Cloud, progress: Progress) -> Iterator:
 def _all_have(cloud: Cloud, attribute: str, name: str, progress: Progress) -> bool:
     lacking = [source.path.name for source in cloud.sources if not getattr(source, attribute)]
     if lacking and len(lacking) < len(cloud.sources):
-        progress.update(0.0, f"{', '.join(lacking)} has no {name}, so that of the other files is not used.")
+        progress.update(
+            0.0, f"{', '.join(lacking)} has no {name}, so the {name} of the other files is ignored."
+        )
     return not lacking

@@ -5,16 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.facade.outlines.border import Lost, trace_border
-from ichnograph.algorithms.facade.outlines.jambs import is_plumb
 from ichnograph.algorithms.facade.outlines.regular_outlines import make_outline
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import at, lattice
 
 STEP, BAND = 0.02, 0.3
-NONE = np.empty((0, 2))
-
-
-def at(places, w=0.0):
-    return np.column_stack([places, np.full(len(places), w)])
+NOTHING = np.empty((0, 2))
 
 
 def sides(left, bottom, right, top, seed=0):
@@ -28,14 +23,14 @@ def sides(left, bottom, right, top, seed=0):
 @given(seed=st.integers(0, 1000), right=st.floats(0.6, 1.0))
 def test_the_mean_of_the_two_sides_is_where_the_edge_is(seed, right):
     inside, outside = sides(0.1, 0.2, right, 0.9, seed)
-    outline = make_outline(trace_border(at(inside), at(outside), NONE, 0.05, BAND), True)
+    outline = make_outline(trace_border(at(inside), at(outside), NOTHING, 0.05, BAND), True)
 
     assert outline.polygon.bounds == pytest.approx((0.1, 0.2, right, 0.9), abs=0.006)
 
 
 def test_each_side_alone_would_be_off_by_about_half_the_spacing():
     inside, outside = sides(0.1, 0.2, 0.8, 0.9)
-    ring = trace_border(at(inside), at(outside), NONE, 0.05, BAND).ring
+    ring = trace_border(at(inside), at(outside), NOTHING, 0.05, BAND).ring
     reached = inside.max(axis=0) - inside.min(axis=0)
 
     assert (reached < (0.7, 0.7)).all()
@@ -60,7 +55,7 @@ def test_an_opening_into_nothing_ends_half_a_spacing_beyond_the_wall():
     places = lattice(-0.5, -0.5, 1.5, 1.5, STEP)
     inside = ((places > (0.1, 0.2)) & (places < (0.8, 0.9))).all(axis=1)
     filler = lattice(0.16, 0.26, 0.74, 0.84, STEP)
-    outline = make_outline(trace_border(at(NONE), at(places[~inside]), filler, 0.05, BAND), True)
+    outline = make_outline(trace_border(at(NOTHING), at(places[~inside]), filler, 0.05, BAND), True)
 
     assert outline.polygon.bounds == pytest.approx((0.1, 0.2, 0.8, 0.9), abs=0.001)
 
@@ -71,31 +66,12 @@ def test_points_that_the_front_lost_to_mixed_spots_count_for_it():
     mixed = ~hole & (places[:, 1] > 0.19) & (places[:, 1] < 0.2) & (places[:, 0] > 0.1) & (places[:, 0] < 0.8)
     filler = lattice(0.16, 0.26, 0.74, 0.84, 0.01)
     outside = at(places[~hole & ~mixed])
-    naive = trace_border(at(NONE), outside, filler, 0.05, BAND)
-    aware = trace_border(at(NONE), outside, filler, 0.05, BAND, Lost(places[mixed], 1e-4))
+    naive = trace_border(at(NOTHING), outside, filler, 0.05, BAND)
+    aware = trace_border(at(NOTHING), outside, filler, 0.05, BAND, Lost(places[mixed], 1e-4))
 
     assert make_outline(naive, True).polygon.bounds[1] == pytest.approx(0.19, abs=0.001)
     assert make_outline(aware, True).polygon.bounds[1] == pytest.approx(0.2, abs=0.002)
 
 
 def test_a_detail_without_points_has_no_border():
-    assert trace_border(at(NONE), at(lattice(0, 0, 1, 1, STEP)), NONE, 0.05, BAND).ring.is_empty
-
-
-WALL = at(lattice(-0.5, -0.5, 0.0, 1.0, 0.01))
-
-
-def jamb(slope):
-    """Points from the end of the wall into the hole, the further the deeper they are."""
-    generator = np.random.default_rng(0)
-    depth, v = generator.uniform(0.01, 0.1, 400), generator.uniform(0, 1, 400)
-    return np.column_stack([0.002 + slope * depth + generator.normal(0, 0.001, 400), v, -depth])
-
-
-def test_points_of_a_jamb_at_right_angles_are_kept():
-    assert is_plumb(jamb(0.0), WALL).mean() > 0.9
-
-
-@pytest.mark.parametrize("slope", [0.2, 0.7])
-def test_mixed_points_and_splayed_jambs_are_not(slope):
-    assert is_plumb(jamb(slope), WALL).mean() < 0.05
+    assert trace_border(at(NOTHING), at(lattice(0, 0, 1, 1, STEP)), NOTHING, 0.05, BAND).ring.is_empty

@@ -14,10 +14,26 @@ from shapely.geometry import MultiPolygon, box
 
 
 def lattice(left, bottom, right, top, step):
-    """Return places `step` apart, half a step from the edges, shape (n, 2)."""
+    """Return points `step` apart, half a step from the edges, shape (n, 2)."""
     u = np.arange(left + step / 2, right, step)
     v = np.arange(bottom + step / 2, top, step)
     return np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 2)
+
+
+def at(points, w=0.0):
+    """Return points in the plane at a depth, shape (n, 3)."""
+    return np.column_stack([points, np.full(len(points), w)])
+
+
+def scattered(points, share=0.3, step=0.02, seed=0):
+    """Return points moved at random by up to a share of their step."""
+    return points + np.random.default_rng(seed).uniform(-share, share, points.shape) * step
+
+
+def without(points, left, bottom, right, top):
+    """Return the points outside a rectangle."""
+    inside = ((points > (left, bottom)) & (points < (right, top))).all(axis=1)
+    return points[~inside]
 
 
 def upright(width, height, w=0.0, step=0.02, noise=0.001, seed=0):
@@ -43,3 +59,14 @@ def small_elevation(frame=None):
     )  # fmt: skip
     wall = MultiPolygon([box(0, 0, 4, 3).difference(window)])
     return Elevation(frame, wall, (detail,), (box(3, 0, 3.5, 1),), 0.01)
+
+
+def site_of(row, uv):
+    """Return x, y, z of points in u, v, by the formula of the manual."""
+    a, t = np.radians(float(row["azimuth"])), np.radians(float(row["tilt"]))
+    u, v = np.asarray(uv, float).T
+    return np.column_stack([
+        float(row["x0"]) - u * np.cos(a) - v * np.sin(a) * np.sin(t),
+        float(row["y0"]) + u * np.sin(a) - v * np.cos(a) * np.sin(t),
+        float(row["z0"]) + v * np.cos(t),
+    ])  # fmt: skip

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.errors import NothingFoundError
-from ichnograph.algorithms.facade.planes.planes import find_planes
-from ichnograph.tests.algorithms.facade.simple import bare, lattice, upright
+from ichnograph.algorithms.facade.planes.segmentation import find_planes
+from ichnograph.algorithms.facade.planes.settings import PlaneSettings
+from ichnograph.tests.algorithms.facade.samples import bare, lattice, upright
 from ichnograph.tests.scenes.facades import FACADES
 
 DISTANCE = 0.05
@@ -141,8 +142,8 @@ def test_planes_are_numbered_by_their_points_and_the_small_ones_left_out():
         (plane.points for plane in found.planes[1:]), reverse=True
     )
     assert len(found.planes) == 3
-    assert len(find_planes(bare(xyz), DISTANCE, min_points=3000).planes) == 2
-    assert len(find_planes(bare(xyz), DISTANCE, max_planes=1).planes) == 1
+    assert len(find_planes(bare(xyz), DISTANCE, PlaneSettings(min_points=3000)).planes) == 2
+    assert len(find_planes(bare(xyz), DISTANCE, PlaneSettings(max_planes=1)).planes) == 1
 
 
 def test_level_ground_is_no_facade():

@@ -4,15 +4,11 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import OPENING, RECESS
 from ichnograph.algorithms.facade.outlines.holes import classify, find_gaps, within
-from ichnograph.tests.algorithms.facade.simple import lattice
+from ichnograph.tests.algorithms.facade.samples import at, lattice
 from shapely.geometry import MultiPolygon, Polygon, box
 
-DISTANCE, SPACING = 0.05, 0.01
+SPACING = 0.01
 HOLE = box(1, 1, 2, 2.5)
-
-
-def deep(places, w):
-    return np.column_stack([places, np.full(len(places), w)])
 
 
 def jamb(depth=0.2):
@@ -22,11 +18,11 @@ def jamb(depth=0.2):
 
 
 def kind_of(*seen):
-    return classify(HOLE, np.concatenate(seen), DISTANCE, SPACING).kind
+    return classify(HOLE, np.concatenate(seen), SPACING).kind
 
 
 def test_a_hole_with_a_surface_close_behind_is_a_recess_of_its_depth():
-    hole = classify(HOLE, deep(lattice(0.5, 0.5, 2.5, 3, 0.01), -0.15), DISTANCE, SPACING)
+    hole = classify(HOLE, at(lattice(0.5, 0.5, 2.5, 3, 0.01), -0.15), SPACING)
     assert hole.kind == RECESS
     assert hole.depth == pytest.approx(-0.15)
 
@@ -34,11 +30,11 @@ def test_a_hole_with_a_surface_close_behind_is_a_recess_of_its_depth():
 def test_a_pane_that_lets_most_of_the_beams_through_is_a_recess():
     pane = lattice(1, 1, 2, 2.5, 0.01)
     pane = pane[np.random.default_rng(0).random(len(pane)) < 0.3]
-    assert kind_of(deep(pane, -0.12), deep(lattice(0, 0, 3, 3, 0.02), -3.0)) == RECESS
+    assert kind_of(at(pane, -0.12), at(lattice(0, 0, 3, 3, 0.02), -3.0)) == RECESS
 
 
 def test_a_hole_with_jambs_and_a_room_behind_is_an_opening():
-    assert kind_of(jamb(), deep(lattice(1, 1, 2, 2.5, 0.03), -3.0)) == OPENING
+    assert kind_of(jamb(), at(lattice(1, 1, 2, 2.5, 0.03), -3.0)) == OPENING
 
 
 def test_jambs_alone_tell_an_opening():
@@ -50,7 +46,7 @@ def test_a_place_behind_which_nothing_was_seen_is_no_window():
 
 
 def test_a_room_that_was_seen_through_a_window_beside_it_does_not_make_a_shadow_a_window():
-    assert kind_of(deep(lattice(0, 0, 3, 3, 0.02), -3.0)) is None
+    assert kind_of(at(lattice(0, 0, 3, 3, 0.02), -3.0)) is None
 
 
 def test_holes_of_the_wall_are_gaps_and_small_ones_are_not():

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS, Points
-from ichnograph.algorithms.facade.facade import measure_facade
-from ichnograph.algorithms.facade.settings import Settings
+from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import in_scene, judge
 
@@ -27,14 +27,14 @@ def measured(request):
     """Scan and measure a facade at coordinates of a grid."""
     scene = FACADES[request.param](0).moved(*PLACE)
     points = points_of(scene.scan(SPACING))
-    return scene, points, measure_facade(points, Settings())
+    return scene, points, measure_facade(points, FacadeSettings())
 
 
 @pytest.fixture(scope="module")
 def medina():
     scene = FACADES["medina"](0)
     points = points_of(scene.scan(SPACING))
-    return scene, points, measure_facade(points, Settings())
+    return scene, points, measure_facade(points, FacadeSettings())
 
 
 def test_every_detail_is_found_and_none_invented(measured):
@@ -103,7 +103,7 @@ def test_the_order_of_the_points_changes_nothing(medina):
         Points(
             points.xyz[order], points.origin, points.rgb[order], points.intensity[order], points.scan[order]
         ),
-        Settings(),
+        FacadeSettings(),
     )
     assert_same_outlines(elevation, shuffled, 1e-5)
 
@@ -117,7 +117,7 @@ def test_rotation_and_shift_move_no_outline_by_more_than_a_millimetre(medina, an
     rotation = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
     turned = measure_facade(
         replace(points, xyz=(points.xyz + points.origin) @ rotation.T, origin=np.array(shift, float)),
-        Settings(),
+        FacadeSettings(),
     )
     assert_same_outlines(elevation, turned, 0.001)
     assert [pair.found.number for pair in judge(turned, scene.moved(angle, shift)).pairs] == [
@@ -135,7 +135,7 @@ def assert_same_outlines(elevation, other, tolerance):
 
 def test_without_colour_openings_recesses_and_projections_are_left_and_it_says_so(medina):
     scene, points, _ = medina
-    elevation = measure_facade(replace(points, rgb=None), Settings())
+    elevation = measure_facade(replace(points, rgb=None), FacadeSettings())
     judgement = judge(elevation, scene)
 
     assert {true.kind for true in judgement.missed} == {COLOURED}
@@ -146,7 +146,7 @@ def test_without_colour_openings_recesses_and_projections_are_left_and_it_says_s
 
 def test_without_intensity_it_says_that_shadows_count(medina):
     scene, points, _ = medina
-    elevation = measure_facade(replace(points, intensity=None), Settings())
+    elevation = measure_facade(replace(points, intensity=None), FacadeSettings())
     found = {pair.true.kind for pair in judge(elevation, scene).pairs}
 
     assert "no intensity" in elevation.warnings[0]
@@ -157,27 +157,27 @@ def test_without_intensity_it_says_that_shadows_count(medina):
 def test_scans_of_different_gain_are_compared_each_with_its_own(medina):
     scene, points, elevation = medina
     gain = np.where(points.scan == 1, np.float32(0.3), np.float32(1.0))
-    other = measure_facade(replace(points, intensity=points.intensity * gain), Settings())
+    other = measure_facade(replace(points, intensity=points.intensity * gain), FacadeSettings())
 
     assert judge(other, scene).missed == judge(other, scene).invented == ()
     assert len(other.details) == len(elevation.details)
 
 
 def test_a_wall_without_details_is_a_wall(tmp_path):
-    from ichnograph.tests.algorithms.facade.simple import bare, upright
+    from ichnograph.tests.algorithms.facade.samples import bare, upright
 
-    elevation = measure_facade(bare(upright(4, 3)), Settings())
+    elevation = measure_facade(bare(upright(4, 3)), FacadeSettings())
     assert elevation.details == ()
     assert elevation.wall.area == pytest.approx(12, rel=0.005)
 
 
 def test_regularise_off_leaves_every_outline_as_it_was_seen(medina):
     _, points, _ = medina
-    elevation = measure_facade(points, Settings(regularise=False))
+    elevation = measure_facade(points, FacadeSettings(regularise=False))
     assert {detail.shape for detail in elevation.details} == {"free"}
 
 
 def test_smaller_details_than_asked_for_are_left_out(medina):
     _, points, _ = medina
-    elevation = measure_facade(points, Settings(min_area=1.0))
+    elevation = measure_facade(points, FacadeSettings(min_area_m2=1.0))
     assert elevation.details and min(detail.raw.area for detail in elevation.details) >= 1.0
