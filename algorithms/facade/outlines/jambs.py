@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...geometry.robust import sigma_about_median
+
 LOCAL = 30
 """Neighbouring points that are judged together."""
 
@@ -35,5 +37,5 @@ def is_plumb(between: np.ndarray, wall: np.ndarray) -> np.ndarray:
     depths = depths - depths.mean(axis=1, keepdims=True)
     middle = np.median(offsets, axis=1, keepdims=True)
     slopes = np.sum(depths * (offsets - middle), axis=1) / np.maximum(np.sum(depths**2, axis=1), 1e-12)
-    scatter = 1.4826 * np.median(np.abs(offsets - middle), axis=1)
+    scatter = sigma_about_median(offsets, axis=1)
     return (slopes < STEEPEST) & (inwards - middle[:, 0] <= np.maximum(TOO_FAR * scatter, 0.002))

@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ...errors import NothingFoundError
+from ...geometry.robust import sigma_of_residuals
 from ...progress import Progress
 from ..elevation import Plane, Points, Segmentation
 from .patches import Patch, extract, make_patch
@@ -37,7 +38,6 @@ COARSE = 2.0
 STEP = 100
 """Every so-manyth point tells which way the facade faces."""
 
-MAD_TO_SIGMA = 1.4826
 CERTAIN = 3.0
 """Points within this many standard deviations are of a plane, whatever the normal around them."""
 
@@ -201,7 +201,7 @@ def _assign(xyz: np.ndarray, voxels: Voxels, patches: list[Patch], distance: flo
         own = heights <= distance
         own[own] = patch.covers(xyz[near[own]])
         near, heights = near[own], heights[own]
-        sigma = 1.4826 * float(np.median(heights[heights <= SHARP * distance])) if len(near) else 0.0
+        sigma = sigma_of_residuals(heights[heights <= SHARP * distance]) if len(near) else 0.0
         alike = np.abs(voxels.normals @ patch.normal) >= NORMAL
         fits = (alike[voxels.of_point[near]] | (heights <= CERTAIN * sigma)) & (heights < least[near])
         labels[near[fits]] = number

@@ -5,6 +5,8 @@ from typing import Optional
 import numpy as np
 from numba import njit
 
+from ...geometry.robust import sigma_of_residuals
+
 ITERATIONS = 400
 """Samples of three points; a third of them on one plane finds it in all but one of 10 000 runs."""
 
@@ -66,7 +68,7 @@ def refit(
             near &= np.abs(normals @ normal) >= NORMAL
         if near.sum() < 3:
             return normal, place
-        sigma = max(1.4826 * float(np.median(np.abs(distances[near]))), LEAST_SIGMA)
+        sigma = max(sigma_of_residuals(distances[near]), LEAST_SIGMA)
         near &= np.abs(distances) <= SIGMAS * sigma
         place = points[near].mean(axis=0)
         turned = np.linalg.eigh(np.cov((points[near] - place).T))[1][:, 0]

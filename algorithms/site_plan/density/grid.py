@@ -4,11 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from affine import Affine
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from ...clouds.thinning.tiles import LATTICE, TileStore
 from ...errors import InputError
+from ...geometry.linked_parts import label_linked
 
 MAX_PIXELS = 100_000_000
 """Largest raster: a square kilometre at 10 cm; about 8 GB of memory."""
@@ -105,12 +104,6 @@ def _connected(blocks: np.ndarray) -> np.ndarray:
         if (x + dx, y + dy) in number
     ]
     return label_linked(*np.array(pairs).T, len(blocks))
-
-
-def label_linked(first: np.ndarray, second: np.ndarray, count: int) -> np.ndarray:
-    """Label things 0..count-1 so that those linked, `first` to `second` in pairs, have one label."""
-    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(count, count))
-    return connected_components(links, directed=False)[1]
 
 
 def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid:

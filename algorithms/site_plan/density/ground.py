@@ -5,7 +5,8 @@ from numba import njit
 from scipy import ndimage
 
 from ...clouds.thinning.tiles import LATTICE, Tile, to_lattice
-from .grid import Grid, label_linked
+from ...geometry.linked_parts import label_linked
+from .grid import Grid
 
 CELL = 0.5
 """Edge of a ground cell in metres: wider than most walls are thick, so that ground is seen beside them."""

@@ -8,6 +8,7 @@ from affine import Affine
 from shapely.geometry import Polygon
 from skimage.measure import regionprops
 
+from ...geometry.azimuths import line_azimuth
 from .extraction import WallImage
 from .height_gate import Heights
 from .pixel_outlines import label_walls, trace_outlines
@@ -125,5 +126,4 @@ def _reach(heights: Optional[Heights], region) -> tuple:
 
 def _azimuth(region) -> float:
     south, east = region.coords.T
-    axes = np.linalg.eigh(np.cov(east, -south))[1]
-    return float(np.degrees(np.arctan2(*axes[:, -1])) % 180.0)
+    return line_azimuth(np.linalg.eigh(np.cov(east, -south))[1][:, -1])
