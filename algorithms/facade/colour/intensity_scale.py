@@ -4,13 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...geometry.robust import sigma_of_residuals, tukey_weights
 from .settings import IntensitySettings
 
 ROUNDS = 10
 CUT = 4.685
 """Of Tukey's biweight, in standard deviations."""
 
-MAD_TO_SIGMA, IQR_TO_SIGMA = 1.4826, 1.349
+IQR_TO_SIGMA = 1.349
 
 
 @dataclass(frozen=True)
@@ -98,6 +99,6 @@ def _robust_fit(terms: np.ndarray, values: np.ndarray) -> np.ndarray:
         root = np.sqrt(weights)
         coefficients = np.linalg.lstsq(terms * root[:, None], values * root, rcond=None)[0]
         residuals = np.abs(values - terms @ coefficients)
-        scale = max(MAD_TO_SIGMA * float(np.median(residuals)), 1e-9)
-        weights = np.clip(1 - (residuals / (CUT * scale)) ** 2, 0, None) ** 2
+        scale = max(sigma_of_residuals(residuals), 1e-9)
+        weights = tukey_weights(residuals, scale, CUT)
     return coefficients

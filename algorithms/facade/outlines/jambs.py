@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...geometry.robust import sigma_about_median
 from .settings import OutlineSettings
 
 
@@ -30,6 +31,6 @@ def is_plumb(
     depths = depths - depths.mean(axis=1, keepdims=True)
     middle = np.median(offsets, axis=1, keepdims=True)
     slopes = np.sum(depths * (offsets - middle), axis=1) / np.maximum(np.sum(depths**2, axis=1), 1e-12)
-    scatter = 1.4826 * np.median(np.abs(offsets - middle), axis=1)
+    scatter = sigma_about_median(offsets, axis=1)
     farthest = np.maximum(limits.outlying * scatter, settings.noise_m)
     return (slopes < limits.steepest) & (inwards - middle[:, 0] <= farthest)

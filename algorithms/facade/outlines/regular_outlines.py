@@ -4,9 +4,10 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from scipy.optimize import least_squares
 from shapely.geometry import Polygon
 
+from ...geometry.circles import fit_circle_on_axis
+from ...geometry.robust import sigma_about_median, sigma_of_residuals, tukey_weights
 from ..elevation import ARCH, FREE, RECTANGLE, Edges
 from .border import Border
 from .settings import OutlineSettings, ShapeSettings
@@ -152,8 +153,8 @@ def _location(values: np.ndarray, fallback: float) -> float:
         return fallback
     middle = float(np.median(values))
     for _ in range(ROUNDS):
-        scale = max(1.4826 * float(np.median(np.abs(values - middle))), 1e-4)
-        weights = np.clip(1 - ((values - middle) / (CUT * scale)) ** 2, 0, None) ** 2
+        scale = max(sigma_of_residuals(values - middle), 1e-4)
+        weights = tukey_weights(values - middle, scale, CUT)
         middle = float(np.average(values, weights=weights))
     return middle
 
@@ -176,22 +177,12 @@ def _fit_arch(border: Border, rectangle: _Sides, settings: OutlineSettings) -> O
             return None
         crown = _location(upper[np.abs(upper[:, 0] - middle) < 0.1 * half, 1], top)
         start = np.array([sides.centre, max(sides.radius, half)])
-        centre, radius = _fit_arc(upper, middle, start, settings.noise_m)
+        centre, radius = fit_circle_on_axis(upper, middle, start, settings.noise_m)
         if radius < half:
             # The upright sides end where the semicircle of their own width does.
             centre, radius = crown - half, half
         sides = _Sides(sides.left, sides.bottom, sides.right, centre + radius, centre, radius)
     return sides if sides.springing > sides.bottom else None
-
-
-def _fit_arc(points: np.ndarray, middle: float, start: np.ndarray, noise: float) -> tuple[float, float]:
-    """Return the height of the centre and the radius of a circle about u = `middle`, robustly."""
-
-    def residuals(circle: np.ndarray) -> np.ndarray:
-        return np.hypot(points[:, 0] - middle, points[:, 1] - circle[0]) - circle[1]
-
-    centre, radius = least_squares(residuals, start, loss="soft_l1", f_scale=noise).x
-    return float(centre), float(radius)
 
 
 def _holds(sides: _Sides, border: Border, expected: np.ndarray, settings: ShapeSettings) -> bool:
@@ -241,7 +232,7 @@ def edge_deviation(
     if len(residuals) < 2:
         return float("nan")
     gap = float(np.median(gaps))
-    scatter = (1.4826 * float(np.median(np.abs(residuals - np.median(residuals))))) ** 2
+    scatter = float(sigma_about_median(residuals)) ** 2
     unseen = max(gap**2 / 12 - settings.shapes.scattered * scatter, 0.0)
     length = float(np.hypot(*np.ptp(crossings, axis=0)))
     independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)

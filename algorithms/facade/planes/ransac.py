@@ -5,6 +5,7 @@ from typing import Optional
 import numpy as np
 from numba import njit
 
+from ...geometry.robust import sigma_of_residuals
 from .settings import FitSettings
 
 
@@ -68,7 +69,7 @@ def refit(
             near &= np.abs(normals @ normal) >= settings.least_cosine
         if near.sum() < 3:
             return normal, anchor
-        sigma = max(1.4826 * float(np.median(np.abs(distances[near]))), settings.least_sigma_m)
+        sigma = max(sigma_of_residuals(distances[near]), settings.least_sigma_m)
         near &= np.abs(distances) <= settings.sigmas * sigma
         anchor = points[near].mean(axis=0)
         refined = np.linalg.eigh(np.cov((points[near] - anchor).T))[1][:, 0]

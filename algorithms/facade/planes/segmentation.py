@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...errors import NothingFoundError
+from ...geometry.robust import sigma_of_residuals
 from ...progress import Progress
 from ..elevation import Plane, Points, Segmentation
 from .patches import Patch, extract, make_patch
@@ -175,7 +176,7 @@ def _assign(
         own = heights <= distance
         own[own] = patch.covers(xyz[near[own]])
         near, heights = near[own], heights[own]
-        sigma = 1.4826 * float(np.median(heights[heights <= settings.vote * distance])) if len(near) else 0.0
+        sigma = sigma_of_residuals(heights[heights <= settings.vote * distance]) if len(near) else 0.0
         alike = np.abs(voxels.normals @ patch.normal) >= settings.least_cosine
         fits = (alike[voxels.of_point[near]] | (heights <= settings.sigmas * sigma)) & (heights < least[near])
         labels[near[fits]] = number

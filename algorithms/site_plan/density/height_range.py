@@ -47,13 +47,13 @@ class HeightRange:
 
 def cut(
     store: TileStore,
-    keys: list,
+    keys: list[tuple[int, int]],
     heights: HeightRange,
     cloud: Cloud,
     progress: Progress,
     grid: Optional[Grid] = None,
     ground: Optional[np.ndarray] = None,
-) -> list:
+) -> list[tuple[int, int]]:
     """Leave out the points of a site that lie outside a range of heights.
 
     Parameters
@@ -82,7 +82,7 @@ def cut(
     Raises
     ------
     InputError
-        If none does.
+        If no point is left.
     """
     left, reach = [], []
     for key, tile in store.tiles(sorted(keys), progress, "Cutting by height"):
@@ -103,7 +103,7 @@ def cut(
     return left
 
 
-def _pixels(tile: Tile, grid: Grid) -> tuple:
+def _pixels(tile: Tile, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Return the row and the column of each point, rows counted from the bottom."""
     column, row = ((tile.xyz[:, i] + tile.corner[i] - grid.corner[i]) // grid.step for i in (0, 1))
     return row, column
