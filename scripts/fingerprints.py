@@ -1,9 +1,9 @@
-"""Print a digest of every layer and list that the toolbox makes, to see what a change of the code changed.
+"""Print a digest of every layer and list that the toolbox writes, to see which a change of the code affects.
 
-scripts/fingerprints.py OUT [FOLDER ...] > before.txt; change the code; again into after.txt; diff the two.
+scripts/fingerprints.py OUT [FOLDER ...] > before.txt; change the code; the same into after.txt; compare both.
 
-Makes the demo's layers, those of every simulated scene at one seed, and those of the clouds and lists in the
-folders, through qgis_process. Clouds and results stay in OUT; clouds that are there already are used again.
+Runs qgis_process on every simulated scene at one seed, on the lists of the demo, and on the clouds and lists
+in the folders. Clouds and results are kept in OUT; clouds that exist there are used again.
 """
 
 import argparse
@@ -24,8 +24,8 @@ LAYERS = (".shp", ".dbf", ".shx", ".prj", ".tif", ".json", ".csv")
 
 
 def run(algorithm: str, *arguments: str) -> None:
-    """Run an algorithm; what it refuses leaves no file, which shows in the digests."""
-    command = [ROOT / "scripts" / "qgis_process", "run", f"ichnograph:{algorithm}", "--", *arguments]
+    """Run an algorithm; if it refuses its input, its files are missing from the digests."""
+    command = [str(ROOT / "scripts" / "qgis_process"), "run", f"ichnograph:{algorithm}", "--", *arguments]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         errors = [line for line in done.stderr.splitlines() if line.strip()]
@@ -33,20 +33,20 @@ def run(algorithm: str, *arguments: str) -> None:
 
 
 def simulate(module: str, name: str, path: Path, *arguments: str) -> Path:
-    """Write a simulated scan, unless it is there."""
+    """Write a simulated scan, unless it exists."""
     if not path.exists():
-        command = [sys.executable, "-m", module, name, path, *arguments]
+        command = [sys.executable, "-m", module, name, str(path), *arguments]
         subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": python_path()})
     return path
 
 
 def python_path() -> str:
-    """Return where Python finds the checkout and its packages."""
+    """Return the folders where Python finds the checkout and its packages."""
     return os.pathsep.join(str(ROOT / folder) for folder in (".plugins", ".packages"))
 
 
 def site_plan(cloud: Path, folder: Path) -> None:
-    """Make the plan of a cloud, with the outlines on the faces and with those of pixels."""
+    """Make the plan of a cloud, once with outlines on the faces and once with those of pixels."""
     new(folder)
     outputs = ("density.tif", "plan.tif", "walls.shp", "axes.shp", "rooms.shp")
     named = [f"{Path(name).stem.upper()}={folder / name}" for name in outputs]
@@ -91,7 +91,7 @@ def simulated(out: Path) -> None:
             simulate("ichnograph.tests.scenes.facades", name, path, "--spacing", "0.02", *PLACE), out / name
         )
     control = out / "control.txt"
-    options = (*COARSE, "--survey", control, *PLACE[:5])
+    options = (*COARSE, "--survey", str(control), *PLACE[:5])
     simulate("ichnograph.tests.scenes", "ruins", out / "survey.laz", *options)
     registration(control, sorted(out.glob("survey_*.txt")), out / "survey", "CRS=EPSG:25833")
 
@@ -109,7 +109,7 @@ def given(folder: Path, out: Path) -> None:
 
 
 def digests(out: Path) -> Iterator[str]:
-    """Yield a line for each layer and list; the date in a dbf is left out."""
+    """Yield a line for each layer and list; the date in a dbf is not counted."""
     for path in sorted(path for path in out.rglob("*") if path.suffix in LAYERS and path.parent != out):
         content = bytearray(path.read_bytes())
         if path.suffix == ".dbf":
