@@ -6,7 +6,7 @@ from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS
 from ..parameters.destinations import FolderDestination
-from ..parameters.parameter import JsonFile
+from ..parameters.files import JsonFile
 
 
 class TransformCloudAlgorithm(Algorithm):

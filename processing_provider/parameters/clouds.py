@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from ...algorithms.clouds.formats import readable_formats
-from .parameter import CloudFiles, Number, ReferenceSystem
+from .files import CloudFiles
+from .parameter import Number, ReferenceSystem
 
 if TYPE_CHECKING:
     from ...algorithms.clouds.cloud import Cloud

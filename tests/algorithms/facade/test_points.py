@@ -6,7 +6,6 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.facade.points import read_points
 from ichnograph.algorithms.facade.settings import ThinningSettings
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
