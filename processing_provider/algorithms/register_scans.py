@@ -88,7 +88,6 @@ class RegisterScansAlgorithm(Algorithm):
     def compute(self, values: dict, log: Log) -> Outcome:
         """Register the scans."""
         from ...algorithms.registration.output.layers import exaggeration, write_control, write_residuals
-        from ...algorithms.registration.output.report import write_report
         from ...algorithms.registration.output.transforms import write_transforms
         from ...algorithms.registration.registration import register_scans
 
@@ -104,8 +103,11 @@ class RegisterScansAlgorithm(Algorithm):
             "TRANSFORMS": write_transforms,
             "RESIDUALS": write_residuals,
             "CONTROL_OUT": write_control,
-            "REPORT": write_report,
         }
+        if values["REPORT"]:
+            from ...algorithms.registration.output.report import write_report
+
+            writers["REPORT"] = write_report
         return Outcome(
             {name: partial(write, registration) for name, write in writers.items()},
             {

@@ -109,10 +109,7 @@ class SimulateRegistrationAlgorithm(Algorithm):
         """Run the trials."""
         from ...algorithms.registration.settings import Model, Settings
         from ...algorithms.registration.simulation.simulation import simulate
-        from ...algorithms.registration.simulation.simulation_report import (
-            write_simulation_report,
-            write_trials,
-        )
+        from ...algorithms.registration.simulation.trials import write_trials
 
         simulation = simulate(
             values["CONTROL"],
@@ -125,13 +122,12 @@ class SimulateRegistrationAlgorithm(Algorithm):
             progress=log.progress,
         )
         _tell(simulation, log)
-        return Outcome(
-            {
-                "TABLE": partial(write_trials, simulation),
-                "REPORT": partial(write_simulation_report, simulation),
-            },
-            {"SUCCESS_RATE": simulation.success_rate},
-        )
+        writers = {"TABLE": partial(write_trials, simulation)}
+        if values["REPORT"]:
+            from ...algorithms.registration.simulation.simulation_report import write_simulation_report
+
+            writers["REPORT"] = partial(write_simulation_report, simulation)
+        return Outcome(writers, {"SUCCESS_RATE": simulation.success_rate})
 
 
 def _tell(simulation: "Simulation", log: Log) -> None:

@@ -31,6 +31,7 @@ Writer = Callable[[Path], Any]
 
 FolderWriters = Mapping[str, Writer]
 """Writers of the files of a folder, by the names of the files."""
+PAGE_MODULES = ("jinja2", "matplotlib")
 
 
 @dataclass(frozen=True)
@@ -216,10 +217,22 @@ class DrawingDestination(FileDestination):
 
 @dataclass(frozen=True)
 class HtmlDestination(FileDestination):
-    """A page that QGIS lists in its results viewer."""
+    """A page, which QGIS lists in its results viewer; not made by default where its packages are missing."""
 
     extensions = (".html", ".htm")
     filters = "HTML files (*.html *.htm)"
+
+    def value(self, algorithm, parameters, context) -> Optional[Path]:
+        """Return the path; refuse it if it cannot be written, before anything is computed."""
+        path = super().value(algorithm, parameters, context)
+        if path and lacking(PAGE_MODULES):
+            raise MissingPackageError(self.name, PAGE_MODULES, "written")
+        return path
+
+    def _definition(self) -> QgsProcessingParameterFileDestination:
+        definition = super()._definition()
+        definition.setCreateByDefault(self.by_default and not lacking(PAGE_MODULES))
+        return definition
 
 
 @dataclass(frozen=True)

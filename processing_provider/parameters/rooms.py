@@ -61,14 +61,15 @@ ROOM_NUMBERS = (
 def further_outputs(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> Outcome:
     """Make what is wanted of the axes, the rooms and the report."""
     from ...algorithms.site_plan.axes.axes import find_axes
-    from ...algorithms.site_plan.output.plan_report import write_report
     from ...algorithms.site_plan.output.room_layers import write_axes, write_rooms
 
     rooms = _find_rooms(plan, image, values, log) if values["ROOMS"] else ()
-    writers = {
-        "REPORT": partial(write_report, plan=plan, image=image, settings=_settings(values), rooms=rooms)
-    }
-    numbers = {}
+    writers, numbers = {}, {}
+    if values["REPORT"]:
+        from ...algorithms.site_plan.output.plan_report import write_report
+
+        settings = _settings(values)
+        writers["REPORT"] = partial(write_report, plan=plan, image=image, settings=settings, rooms=rooms)
     if values["AXES"]:
         axes = find_axes((wall.wall_id, wall.outline) for wall in plan.walls)
         log.info(f"Axes: {len(axes)}, {sum(axis.length for axis in axes):.1f} m long.")

@@ -7,7 +7,7 @@ import numpy as np
 from scipy import stats
 from shapely.geometry import Point
 
-from ...reporting.svg import round_step
+from ...reporting.numbers import round_step
 from ...vector import write_vector
 from ..results import ControlPoint, Correspondence, Registration, ScanRegistration
 

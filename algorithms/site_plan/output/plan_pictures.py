@@ -1,17 +1,14 @@
 """The pictures of the report of a site plan."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Optional
 
 import numpy as np
 from affine import Affine
-from shapely.geometry import Polygon
 
-from ...reporting.html import Markup, element
-from ...reporting.maps import Map
-from ...reporting.pictures import image, shrunk
+from ...reporting.pictures import shrunk
 from ..site_plan import SitePlan
 from ..walls.height_gate import Gate
 from ..walls.regions import Selection
@@ -21,8 +18,6 @@ MARGIN = 0.1
 
 LARGEST, THUMBNAIL = 1200, 300
 """Most pixels of a raster that a picture is wide or high; blocks of more become one."""
-
-FACE, ROOM = "#a8321a", "#2a8a96"
 
 
 class Fate(IntEnum):
@@ -61,15 +56,12 @@ class View:
     Attributes
     ----------
     rows, columns : slice
-    world : Map
-        Of that part.
     corners : ndarray, shape (2, 2)
         World coordinates of its north-west and south-east corners.
     """
 
     rows: slice
     columns: slice
-    world: Map
     corners: np.ndarray
 
     @classmethod
@@ -82,46 +74,17 @@ class View:
             for found, size in zip(places, pixels.shape)
         )
         corners = np.array([transform * (columns.start, rows.start), transform * (columns.stop, rows.stop)])
-        return cls(rows, columns, Map.around(corners), corners)
+        return cls(rows, columns, corners)
 
     def part(self, values: np.ndarray) -> np.ndarray:
         """Return the part of an array that is shown."""
         return values[self.rows, self.columns]
 
-    def sheet(self, rgb: np.ndarray, *parts: Markup) -> Markup:
-        """Return a map over a picture of the part."""
-        (left, top), (right, bottom) = self.world.place(self.corners)
-        return self.world.sheet(image(rgb, left, top, right - left, bottom - top), *parts)
-
-    def areas(self, outlines: Iterable, colour: str, opacity: float) -> Markup:
-        """Return polygons, filled and bordered in a colour."""
-        path = "".join(self._ring(ring) for outline in outlines for ring in _rings(outline))
-        return element(
-            "path",
-            d=path,
-            fill=colour,
-            fill_opacity=opacity,
-            fill_rule="evenodd",
-            stroke=colour,
-            stroke_width=1,
-        )
-
-    def _ring(self, ring) -> str:
-        return (
-            "M"
-            + "L".join(f"{x:.1f} {y:.1f}" for x, y in self.world.place(np.asarray(ring.coords)[:-1]))
-            + "z"
-        )
-
-
-def _rings(outline: Polygon) -> tuple:
-    return (outline.exterior, *outline.interiors)
-
 
 def fates(
     plan: SitePlan, view: View, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
 ) -> np.ndarray:
-    """Tell what became of each pixel that is shown, as `Fate`; uint8.
+    """Return what became of each pixel that is shown, as `Fate`; uint8.
 
     Parameters
     ----------
@@ -156,7 +119,7 @@ def _known(mask: Optional[np.ndarray], view: View, held: np.ndarray) -> np.ndarr
 
 
 def fates_at(selection: Selection, view: View) -> np.ndarray:
-    """Tell what became of the pixels above one threshold that are shown."""
+    """Return what became of the pixels above one threshold that are shown."""
     return _numbered(
         {
             Fate.WALL: view.part(selection.kept),
@@ -166,7 +129,7 @@ def fates_at(selection: Selection, view: View) -> np.ndarray:
     )
 
 
-def _numbered(rules: dict) -> np.ndarray:
+def _numbered(rules: Mapping[Fate, np.ndarray]) -> np.ndarray:
     """Return the number of the first rule that holds."""
     return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
 

@@ -1,13 +1,16 @@
-"""REPORT: a site plan as a page to read: how it came about, and which parameter to turn."""
+"""REPORT: a site plan as a page to read: how it came about, and which parameter to change."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple, Optional
 
 import numpy as np
 
 from ...reporting.charts import histogram
-from ...reporting.html import Markup, element, figure, notes, number, paragraph, section, table, write_page
+from ...reporting.maps import Map
+from ...reporting.numbers import number
+from ...reporting.page import write_page
 from ...reporting.pictures import embedded, grey
 from ..density.density_image import DensityImage
 from ..rooms.rooms import Room
@@ -15,13 +18,17 @@ from ..site_plan import SitePlan
 from ..walls.extraction import select_by_threshold
 from ..walls.height_gate import Gate, make_gate
 from ..walls.thresholds import surface_rule
-from .plan_pictures import COLOURS, FACE, ROOM, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
+from .plan_pictures import COLOURS, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
+
+TEMPLATE = Path(__file__).parent / "templates" / "site_plan.html"
 
 MOST_PICTURES = 12
-"""Of so many thresholds the page shows what they find; evenly chosen if there are more."""
+"""Thresholds of which the page shows what they find; evenly chosen if there are more."""
 
 MOST_ROWS = 300
-"""The tables list so many walls and rooms at most; the layers hold all."""
+"""Walls and rooms that the tables list at most; the layers hold all."""
+
+FACE, ROOM = "#a8321a", "#2a8a96"
 
 
 @dataclass(frozen=True)
@@ -32,7 +39,7 @@ class _Steps:
     ----------
     small, misshapen : ndarray of bool, shape (rows, columns)
         Pixels of regions that were removed at any threshold.
-    rows : list of tuple
+    rows : list of (float, int, int, int)
         Threshold, regions, of them too small, of them misshapen.
     pictures : list of (str, str)
         Captions and addresses.
@@ -40,12 +47,21 @@ class _Steps:
 
     small: np.ndarray
     misshapen: np.ndarray
-    rows: list
-    pictures: list
+    rows: list[tuple[float, int, int, int]]
+    pictures: list[tuple[str, str]]
+
+
+class _FateRow(NamedTuple):
+    """A row of the table of fates: the area in m2, and which parameter to change."""
+
+    colour: str
+    pixels: str
+    area: float
+    remedy: str
 
 
 def write_report(
-    path: Path, plan: SitePlan, image: DensityImage, settings: dict, rooms: Sequence[Room] = ()
+    path: Path, plan: SitePlan, image: DensityImage, settings: Mapping[str, str], rooms: Sequence[Room] = ()
 ) -> None:
     """Write the report as one HTML page.
 
@@ -55,7 +71,7 @@ def write_report(
     plan : SitePlan
     image : DensityImage
         What the plan was made from.
-    settings : dict of str to str
+    settings : mapping of str to str
         Further parameters of the run and their values.
     rooms : sequence of Room
         If they were looked for.
@@ -68,30 +84,29 @@ def write_report(
     gate = make_gate(image.density, image.heights, plan.image.parameters.min_height, image.transform.a)
     view = View.around(plan.image.gated > 0, image.transform)
     steps = _steps(plan, gate, view, image.transform.a)
+    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
     write_page(
         path,
-        "Site plan",
-        paragraph(_totals(plan, rooms)),
-        notes((*image.warnings, *plan.image.warnings)),
-        section("Plan", _final(plan, image, view, rooms)),
-        section("What became of the pixels", *_removed(plan, image, gate, view, steps)),
-        section("Thresholds", *_thresholds(plan, image, steps)),
-        section("Density image", _density(image, view)),
-        section("Parameters", _parameters(plan, image, gate, settings)),
-        section("Walls", _walls(plan)),
-        section("Rooms", _rooms(rooms)) if rooms else Markup(),
+        TEMPLATE,
+        plan=plan,
+        image=image,
+        rooms=rooms,
+        warnings=(*image.warnings, *plan.image.warnings),
+        plan_map=_plan_map(plan, image, view, rooms),
+        fate_map=_map(view, coloured(fate)),
+        fates=_fate_rows(plan, np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2, steps),
+        pictures=steps.pictures,
+        histogram=_histogram(plan),
+        steps=[(number(value, 2), *map(str, counts)) for value, *counts in steps.rows],
+        density_map=_map(view, _grey(image, view)),
+        parameters=_parameters(plan, image, gate, settings),
+        wall_rows=_wall_rows(plan),
+        room_rows=_room_rows(rooms),
     )
 
 
-def _totals(plan: SitePlan, rooms: Sequence[Room]) -> str:
-    walls = f"Walls: {len(plan.walls)}, {plan.area:.2f} m² in plan, {plan.length:.1f} m long"
-    if not rooms:
-        return f"{walls}."
-    return f"{walls}. Rooms: {len(rooms)}, {sum(room.area for room in rooms):.2f} m²."
-
-
 def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
-    """Go through the thresholds as the extraction did, and note what it had no use for."""
+    """Repeat the thresholds of the extraction, and note what it removed."""
     found = plan.image
     values = found.thresholds.values
     shown = set(np.linspace(0, len(values) - 1, min(len(values), MOST_PICTURES)).round().astype(int).tolist())
@@ -109,14 +124,18 @@ def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
     return steps
 
 
-def _final(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room]) -> Markup:
-    parts = [view.areas([room.outline for room in rooms], ROOM, 0.15)] if rooms else []
-    parts.append(view.areas([wall.outline for wall in plan.walls], FACE, 0.35))
-    return figure(
-        view.sheet(_grey(image, view, 2.0), *parts),
-        "The walls over the density image. A wall of the image without a colour is missing: see below which "
-        "criterion removed it. A colour where no wall stands: see below what let it pass.",
-    )
+def _plan_map(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room]) -> str:
+    with Map.around(view.corners) as sheet:
+        sheet.picture(_grey(image, view, 2.0), view.corners)
+        sheet.areas([room.outline for room in rooms], ROOM, 0.15)
+        sheet.areas([wall.outline for wall in plan.walls], FACE, 0.35)
+        return sheet.svg()
+
+
+def _map(view: View, rgb: np.ndarray) -> str:
+    with Map.around(view.corners) as sheet:
+        sheet.picture(rgb, view.corners)
+        return sheet.svg()
 
 
 def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
@@ -124,22 +143,11 @@ def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
     return grey(fitted(view.part(image.density)), paler * float(held.mean() + 2 * held.std()))
 
 
-def _density(image: DensityImage, view: View) -> Markup:
-    return figure(
-        view.sheet(_grey(image, view)),
-        f"Points per pixel, of the {image.points_kept:,} of {image.points_in:,} points that thinning kept; "
-        "black is two standard deviations above the mean. Walls should stand out as lines. If they are "
-        "dotted, raise PIXEL_SIZE; if neighbouring faces run into each other, lower it, and SPACING with it.",
-    )
-
-
-def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps: _Steps) -> tuple:
-    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
-    area = np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2
+def _fate_rows(plan: SitePlan, areas: np.ndarray, steps: _Steps) -> list[_FateRow]:
     found = plan.image
     regions, small, misshapen = (sum(column) for column in list(zip(*steps.rows))[1:])
     rows = [
-        (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down if it is none"),
+        (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down where there is no wall"),
         (
             Fate.CLOSED,
             f"added by CLOSING {found.gap:g} m",
@@ -178,55 +186,23 @@ def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps:
         ),
         (Fate.SURFACE, "floor, ground and the like", ""),
     ]
-    listed = [(_swatch(kind), what, number(float(area[kind]), 2), turn) for kind, what, turn in rows]
-    return (
-        figure(
-            view.sheet(coloured(fate)),
-            "Each pixel by the last criterion that it met. Look for a missing wall, read its colour, and "
-            "turn the parameter beside that colour.",
-        ),
-        table(("", "pixels that are", "m²", "turn"), listed, words=(0, 1, 3)),
-        paragraph("Regions are counted anew at each threshold."),
-    )
+    return [
+        _FateRow("rgb({}, {}, {})".format(*COLOURS[kind]), pixels, float(areas[kind]), remedy)
+        for kind, pixels, remedy in rows
+    ]
 
 
-def _swatch(kind: Fate) -> Markup:
-    colour = "rgb({}, {}, {})".format(*COLOURS[kind])
-    style = f"display:inline-block;width:1.6em;height:1em;border:1px solid #90a4ae;background:{colour}"
-    return element("span", style=style)
-
-
-def _thresholds(plan: SitePlan, image: DensityImage, steps: _Steps) -> tuple:
+def _histogram(plan: SitePlan) -> str:
+    """Return how dense the pixels are that may be wall, with the lowest and the highest threshold."""
     thresholds = plan.image.thresholds
     tall = plan.image.gated[plan.image.gated > 0] / thresholds.deviation
-    pictures = [
-        element(
-            "figure",
-            element("img", src=address, alt=caption, style="width:100%;border:1px solid #cfd8dc"),
-            element("figcaption", caption),
-            style="width:31%;margin:0",
-        )
-        for caption, address in steps.pictures
-    ]
-    rows = [(number(value, 2), *map(str, counts)) for value, *counts in steps.rows]
     ends = (thresholds.values[0], thresholds.values[-1])
-    return (
-        element("div", *pictures, style="display:flex;flex-wrap:wrap;gap:1rem 3%;margin:1rem 0"),
-        paragraph(
-            "The regions above each threshold, in the colours of the picture above. If floors or clutter are "
-            "kept in the first pictures, raise THRESHOLD; if faint walls show in none, lower it. If the last "
-            "pictures find nothing more, THRESHOLD_MAX may be lower."
-        ),
-        figure(
-            histogram(np.minimum(tall, 2 * ends[1]), "density of pixels that may be wall", limits=ends),
-            "In standard deviations of the density image; the last bar holds all that is denser. Lines mark "
-            "the lowest and the highest threshold, as far as they lie in between.",
-        ),
-        table(("threshold", "regions", "too small", "misshapen"), rows, words=()),
-    )
+    return histogram(np.minimum(tall, 2 * ends[1]), "density of pixels that may be wall", limits=ends)
 
 
-def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict) -> Markup:
+def _parameters(
+    plan: SitePlan, image: DensityImage, gate: Gate, settings: Mapping[str, str]
+) -> list[tuple[str, str, str]]:
     found, given = plan.image, plan.image.parameters
     held = np.isfinite(image.density)
     rule = surface_rule(gate.flat[held], gate.tall[held])
@@ -235,11 +211,11 @@ def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict)
     def density(value: float) -> str:
         return f"{value:.3g} standard deviations = {value * deviation:.3g} points per pixel"
 
-    def origin(value, derived: str) -> str:
+    def origin(value: Optional[float], derived: str) -> str:
         return "given" if value is not None else f"derived: {derived}"
 
-    seen = "heights tell where the ground was seen" if gate.open_ground is not None else "no heights are used"
-    rows = [
+    seen = "heights show where the ground was seen" if gate.open_ground is not None else "no heights are used"
+    return [
         ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value)),
         (
             "THRESHOLD_MAX",
@@ -260,13 +236,11 @@ def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict)
         *((name, value, "given") for name, value in settings.items()),
         ("CRS", image.crs.to_string() if image.crs else "none", "of the files, or given"),
     ]
-    return table(("parameter", "value", "origin"), rows, words=(1, 2), caption="Defaults count as given.")
 
 
-def _walls(plan: SitePlan) -> Markup:
-    header = ("wall", "kind", "length", "thickness", "base", "top", "height", "azimuth", "area", "votes")
+def _wall_rows(plan: SitePlan) -> list[tuple[str, ...]]:
     fields = ("length", "thickness", "z_base", "z_top", "height")
-    rows = [
+    return [
         (
             str(wall.wall_id),
             wall.kind,
@@ -277,12 +251,10 @@ def _walls(plan: SitePlan) -> Markup:
         )
         for wall in plan.walls[:MOST_ROWS]
     ]
-    caption = "Metres, degrees from grid north, square metres; votes are thresholds. " + _cut(plan.walls)
-    return table(header, rows, words=(0, 1), caption=caption)
 
 
-def _rooms(rooms: Sequence[Room]) -> Markup:
-    rows = [
+def _room_rows(rooms: Sequence[Room]) -> list[tuple[str, ...]]:
+    return [
         (
             str(room.room_id),
             number(room.area, 2),
@@ -292,10 +264,3 @@ def _rooms(rooms: Sequence[Room]) -> Markup:
         )
         for room in rooms[:MOST_ROWS]
     ]
-    caption = "Square metres and metres. If a room is missing, a gap in its walls is wider than DOOR_WIDTH. "
-    header = ("room", "area", "perimeter", "openings", "floor")
-    return table(header, rows, words=(0,), caption=caption + _cut(rooms))
-
-
-def _cut(items: Sequence) -> str:
-    return f"The first {MOST_ROWS} of {len(items)}." if len(items) > MOST_ROWS else ""

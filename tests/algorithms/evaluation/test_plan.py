@@ -178,4 +178,4 @@ def test_the_report_tells_the_numbers_and_the_longest_errors(tmp_path):
 
 def test_the_report_of_a_perfect_plan_has_no_errors(tmp_path):
     write_plan_report(tmp_path / "report.html", compare_plan(WALL, WALL, 0.05))
-    assert "There are none." in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "There are no errors." in (tmp_path / "report.html").read_text(encoding="utf-8")

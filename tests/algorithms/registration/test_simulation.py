@@ -10,10 +10,8 @@ from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.registration.lists.point_list import PointList
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.registration.simulation.simulation import SUCCESS, simulate
-from ichnograph.algorithms.registration.simulation.simulation_report import (
-    write_simulation_report,
-    write_trials,
-)
+from ichnograph.algorithms.registration.simulation.simulation_report import write_simulation_report
+from ichnograph.algorithms.registration.simulation.trials import write_trials
 from ichnograph.tests.scenes.targets import target_scene
 
 FEW = 12
@@ -178,7 +176,12 @@ def test_the_report_names_failures_and_ambiguous_points(box, tmp_path):
     write_simulation_report(box, tmp_path / "box.html")
 
     page = (tmp_path / "box.html").read_text(encoding="utf-8")
-    for words in ("In 0 of 5 trials (0.0%) all 8 targets", "ambiguous", "Points taken for each other", "P7"):
+    for words in (
+        "In 0 of 5 trials (0.0%) all 8 targets",
+        "ambiguous",
+        "Points confused with each other",
+        "P7",
+    ):
         assert words in page
     assert "Errors of the transformations" not in page
 
@@ -188,7 +191,7 @@ def test_the_report_of_a_good_layout_has_errors_and_no_failures(found, tmp_path)
 
     page = (tmp_path / "found.html").read_text(encoding="utf-8")
     assert "(100.0%)" in page
-    assert "No control points were taken for each other." in page
+    assert "No control points were confused with each other." in page
     assert "Errors of the transformations" in page
     assert "Failures" not in page
     assert "nan" not in page

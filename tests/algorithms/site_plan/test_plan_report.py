@@ -69,7 +69,7 @@ def pictures(page):
     found = []
     for content in re.findall(r"data:image/png;base64,([A-Za-z0-9+/=]+)", page):
         with MemoryFile(base64.b64decode(content)) as memory, memory.open() as raster:
-            found.append(np.moveaxis(raster.read(), 0, 2))
+            found.append(np.moveaxis(raster.read()[:3], 0, 2))
     return found
 
 
