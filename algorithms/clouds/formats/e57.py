@@ -13,13 +13,12 @@ from ...errors import InputError, MissingPackageError
 from ...geometry.motion import product
 from ...progress import Progress
 from ...reference_systems import parse_wkt
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
 from . import E57_PACKAGES
 from .normals import find_normals
 from .stated_crs import read_crs
 from .value_ranges import to_uint16
-
-SAMPLE = 10_000
 
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
@@ -76,7 +75,7 @@ class E57Source(Source):
     scans: tuple[Scan, ...]
 
     @classmethod
-    def open(cls, path: Path) -> "E57Source":
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "E57Source":
         """Look into the headers and the first points of `path`.
 
         Raises
@@ -92,7 +91,9 @@ class E57Source(Source):
             scans = tuple(_scan(library, path, nodes[number], number) for number in range(len(nodes)))
             wkt = root["coordinateMetadata"].value() if root.isDefined("coordinateMetadata") else ""
         scans = tuple(scan for scan in scans if scan.count)
-        blocks = (_places(data, scan) for scan in scans for data in _blocks(path, scan, SAMPLE))
+        blocks = (
+            _places(data, scan) for scan in scans for data in _blocks(path, scan, settings.sample_points)
+        )
         sample = next((points for points in blocks if len(points)), None)
         if sample is None:
             raise no_points(path)
@@ -228,11 +229,13 @@ def _limits(node: Any, prototype: Any, name: str) -> tuple[float, float]:
     if all(node.isDefined(end) for end in ends):
         low, high = (_value(node[end]) for end in ends)
         return low, high
-    field = prototype[name] if prototype.isDefined(name) else None
+    if not prototype.isDefined(name):
+        return 0.0, 1.0
+    field = prototype[name]
     if hasattr(field, "scaledMaximum"):
         return field.scaledMinimum(), field.scaledMaximum()
-    # A number without limits of its own has those of its type, which tell nothing.
-    narrow = field is not None and field.minimum() > -1e9 and field.maximum() < 1e9
+    # A number without limits of its own has those of its type, which say nothing about its range.
+    narrow = field.minimum() > -1e9 and field.maximum() < 1e9
     return (field.minimum(), field.maximum()) if narrow else (0.0, 1.0)
 
 

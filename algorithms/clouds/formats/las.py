@@ -16,13 +16,13 @@ from rasterio.crs import CRS
 from ...errors import InputError
 from ...progress import Progress
 from ...reference_systems import parse_wkt
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
 from .geotiff_keys import parse_geotiff_keys
 from .stated_crs import read_crs
 
-SAMPLES = 8
-SAMPLE_SIZE = 1000
 LARGEST_CHUNK = 1_000_000
+"""Points for which lazrs may claim memory at once, whatever a damaged header announces."""
 
 Selection = laspy.DecompressionSelection
 EVERYTHING = Selection.all()
@@ -52,7 +52,7 @@ class LasSource(Source):
     colour_factor: int
 
     @classmethod
-    def open(cls, path: Path) -> "LasSource":
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "LasSource":
         """Look into the header and a few thousand points of `path`.
 
         Raises
@@ -63,7 +63,7 @@ class LasSource(Source):
         with open_reader(path) as reader:
             header = reader.header
             _check_scales(path, header)
-            sample = _sample(path, reader)
+            sample = _sample(path, reader, settings)
             crs, warnings = read_crs(path, partial(_parse_crs, header))
         xyz = coordinates(sample, header.scales, header.offsets)
         rgb = _colour(sample)
@@ -96,7 +96,7 @@ class LasSource(Source):
             )
 
     def records(
-        self, progress: Progress, size: int, selection: Selection = EVERYTHING
+        self, progress: Progress, size: int, selection: laspy.DecompressionSelection = EVERYTHING
     ) -> Iterator[np.ndarray]:
         """Yield the raw point records in file order, `size` at a time.
 
@@ -130,7 +130,9 @@ class LasSource(Source):
 
 
 @contextmanager
-def open_reader(path: Path, selection: Selection = EVERYTHING) -> Iterator[laspy.LasReader]:
+def open_reader(
+    path: Path, selection: laspy.DecompressionSelection = EVERYTHING
+) -> Iterator[laspy.LasReader]:
     """Open `path` with laspy, once its header is found to agree with its length.
 
     Raises
@@ -225,17 +227,17 @@ def _check_scales(path: Path, header: laspy.LasHeader) -> None:
         )
 
 
-def _sample(path: Path, reader: laspy.LasReader) -> np.ndarray:
+def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> np.ndarray:
     """Return the records of a few short runs spread over the whole file."""
-    count = reader.header.point_count
+    count, size = reader.header.point_count, settings.las_run_points
     if _has_chunks_of_any_size(reader.header):
         # There lazrs seeks to the wrong point; a COPC starts with points from all over the site.
-        return _read(path, reader, min(SAMPLES * SAMPLE_SIZE, count))
+        return _read(path, reader, min(settings.las_runs * size, count))
     runs = []
-    for start in np.unique(np.linspace(0, max(count - SAMPLE_SIZE, 0), SAMPLES).astype(int)):
+    for start in np.unique(np.linspace(0, max(count - size, 0), settings.las_runs).astype(int)):
         with _as_input_error(path):
             reader.seek(int(start))
-        runs.append(_read(path, reader, min(SAMPLE_SIZE, count)))
+        runs.append(_read(path, reader, min(size, count)))
     return np.concatenate(runs)
 
 

@@ -11,11 +11,11 @@ import numpy as np
 from ...errors import InputError
 from ...geometry.motion import product
 from ...progress import Progress
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .number_table import read_numbers
 from .value_ranges import rgb_factor, to_uint16
 
-SAMPLE = 10_000
 WIDTHS = (3, 4, 7)
 """Numbers in the line of a cell: x y z, then intensity, then red green blue."""
 
@@ -35,7 +35,7 @@ class PtxSource(Source):
     rgb_factor: float
 
     @classmethod
-    def open(cls, path: Path) -> "PtxSource":
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "PtxSource":
         """Look into the first scan of `path`.
 
         Raises
@@ -43,7 +43,7 @@ class PtxSource(Source):
         InputError
             If the file is no PTX, is truncated or holds no points.
         """
-        sample = next((points for points, *_ in _blocks(path, SAMPLE) if len(points)), None)
+        sample = next((points for points, *_ in _blocks(path, settings.sample_points) if len(points)), None)
         if sample is None:
             raise no_points(path)
         width = sample.shape[1]
@@ -90,10 +90,15 @@ def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, int, float]]:
                     width = width or _width(path, lines[0], number)
                     cell = read_numbers(path, lines, number, width)
                     number, left = number + len(lines), left - len(lines)
-                    yield _points(cell, pose), scan, stream.buffer.tell() / length
+                    yield _points(cell, pose), scan, _position(stream) / length
                 scan += 1
     except OSError as error:
         raise unreadable(path, error) from error
+
+
+def _position(stream: TextIO) -> int:
+    """Return the number of bytes that are read of a file of lines."""
+    return stream.buffer.tell()
 
 
 def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int, np.ndarray]]:

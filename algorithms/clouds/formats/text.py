@@ -13,6 +13,7 @@ import pandas as pd
 
 from ...errors import InputError
 from ...progress import Progress
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, truncated, unreadable
 from .text_dialect import Dialect, is_comment, is_count
 from .text_layout import Layout, read_layout
@@ -34,7 +35,7 @@ class TextSource(Source):
     layout: Layout
 
     @classmethod
-    def open(cls, path: Path) -> "TextSource":
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "TextSource":
         """Look into the first lines of `path`.
 
         Raises
@@ -43,7 +44,7 @@ class TextSource(Source):
             If the file cannot be read, holds no points or can be read in more than one way.
         """
         try:
-            layout = read_layout(path)
+            layout = read_layout(path, settings.text)
         except OSError as error:
             raise unreadable(path, error) from error
         return cls(

@@ -72,7 +72,7 @@ def is_count(line: str) -> bool:
 
 def delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
     """Return what most lines of numbers have in common."""
-    shapes = Counter()
+    shapes: Counter[tuple[str, int]] = Counter()
     for line in lines:
         if is_comment(line):
             continue

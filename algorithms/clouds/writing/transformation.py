@@ -22,20 +22,9 @@ from ..formats.normals import find_normals
 from ..formats.text import TextSource
 from ..formats.text_dialect import Dialect
 from ..formats.text_layout import Layout
+from ..settings import WritingSettings
 from ..source import Source
-from .point_selection import (
-    CHUNK_SIZE,
-    COARSEST_SCALE,
-    FINEST_SCALE,
-    copied_header,
-    las_points,
-    las_writer,
-    replace_crs,
-    stored,
-)
-
-LINES = 100_000
-"""Lines of text that are moved at a time; as lists of fields they take much more memory than as numbers."""
+from .las_files import copied_header, las_points, las_writer, new_header, replace_crs, stored
 
 DECIMALS, NORMAL_DECIMALS = 5, 6
 
@@ -90,6 +79,7 @@ def transform_cloud(
     path: Union[str, Path],
     crs: Optional[CRS] = None,
     progress: Progress = Progress(),
+    settings: WritingSettings = WritingSettings(),
 ) -> int:
     """Write the points of `source`, moved by `matrix`, to `path` and return their number.
 
@@ -107,6 +97,7 @@ def transform_cloud(
     crs : CRS, optional
         Of the result; what the file itself names holds no longer.
     progress : Progress
+    settings : WritingSettings
 
     Raises
     ------
@@ -117,16 +108,21 @@ def transform_cloud(
     if target.resolve() == source.path.resolve():
         raise InputError(f"{target} is an input as well; choose another name for the output.")
     motion = Motion.about(np.asarray(matrix, np.float64), source.middle)
-    if isinstance(source, LasSource):
-        write = _write_records
-    else:
-        write = _write_text if isinstance(source, TextSource) else _write_points
     with atomic_output(target) as temporary:
-        return write(source, motion, temporary, crs, progress)
+        if isinstance(source, LasSource):
+            return _write_records(source, motion, temporary, crs, progress, settings)
+        if isinstance(source, TextSource):
+            return _write_text(source, motion, temporary, progress, settings)
+        return _write_points(source, motion, temporary, crs, progress, settings)
 
 
 def _write_records(
-    source: LasSource, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress
+    source: LasSource,
+    motion: Motion,
+    path: Path,
+    crs: Optional[CRS],
+    progress: Progress,
+    settings: WritingSettings,
 ) -> int:
     """Write the records of a LAS file as they are, but for places and directions."""
     header, evlrs = copied_header(source.path)
@@ -134,9 +130,10 @@ def _write_records(
         progress.update(0.0, f"{source.path.name} holds waveforms, which are left out.")
         _drop_waveform(header)
     evlrs = replace_crs(header, evlrs, crs)
-    header.scales, header.offsets = np.clip(source.scales, FINEST_SCALE, COARSEST_SCALE), motion.offset
+    header.scales = np.clip(source.scales, settings.finest_step_m, settings.coarsest_step_m)
+    header.offsets = motion.offset
     with las_writer(path, header) as writer:
-        for records in source.records(progress, CHUNK_SIZE):
+        for records in source.records(progress, settings.chunk_points):
             points = np.empty(len(records), header.point_format.dtype())
             for name in points.dtype.names:
                 points[name] = records[name]
@@ -177,17 +174,22 @@ def _turn_normals(points: np.ndarray, point_format: laspy.PointFormat, motion: M
         points[item.name] = column
 
 
-def _write_points(source: Source, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress) -> int:
+def _write_points(
+    source: Source,
+    motion: Motion,
+    path: Path,
+    crs: Optional[CRS],
+    progress: Progress,
+    settings: WritingSettings,
+) -> int:
     """Write the points of any format as LAS, their attributes as extra dimensions."""
-    header = laspy.LasHeader(version="1.4", point_format=7 if source.has_rgb else 6)
-    header.scales, header.offsets = np.full(3, COARSEST_SCALE), motion.offset
-    replace_crs(header, [], crs)
+    header = new_header(motion.offset, np.full(3, settings.coarsest_step_m), source.has_rgb, crs)
     names = _dimension_names([name for name, _ in source.attributes], header.point_format)
     for name, kind in source.attributes:
         header.add_extra_dim(laspy.ExtraBytesParams(names[name], kind))
     written = 0
     with las_writer(path, header) as writer:
-        for chunk in source.chunks(motion.origin, progress, CHUNK_SIZE):
+        for chunk in source.chunks(motion.origin, progress, settings.chunk_points):
             points = las_points(replace(chunk, xyz=motion.places(chunk.xyz)), header, path)
             for name, values in chunk.attributes.items():
                 points.array[names[name]] = values
@@ -210,14 +212,14 @@ def _dimension_names(names: list[str], point_format: laspy.PointFormat) -> dict[
 
 
 def _write_text(
-    source: TextSource, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress
+    source: TextSource, motion: Motion, path: Path, progress: Progress, settings: WritingSettings
 ) -> int:
     """Write the lines as they are, but for places and directions; text has no room for a CRS."""
     layout = source.layout
     written = 0
     with path.open("w", encoding=layout.encoding, errors="surrogateescape", newline="") as stream:
         stream.writelines(source.head())
-        for lines, values in source.records(progress, LINES):
+        for lines, values in source.records(progress, settings.text_lines):
             points = iter(
                 _moved_lines([line for line in lines if source.is_point(line)], values, layout, motion)
             )
