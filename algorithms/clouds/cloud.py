@@ -53,7 +53,7 @@ class Cloud:
         Raises
         ------
         InputError
-            If a file turns out to be truncated or damaged.
+            If a file is truncated or damaged.
         CancelledError
             If the caller asked to stop.
         """
@@ -80,7 +80,7 @@ def open_cloud(
     ----------
     paths : sequence of str or Path
     crs : CRS, optional
-        For the files that name none themselves.
+        For the files that do not state one.
     settings : ReadingSettings
 
     Raises
@@ -129,8 +129,8 @@ def open_sources(
     if not paths:
         raise InputError("No point cloud was given; choose at least one file.")
     files = [Path(path) for path in paths]
-    places = [path.resolve() for path in files]
-    repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
+    resolved = [path.resolve() for path in files]
+    repeated = next((path for i, path in enumerate(files) if resolved[i] in resolved[:i]), None)
     if repeated:
         raise InputError(f"{repeated} is listed twice; remove one entry.")
     return tuple(_open(path, settings) for path in files)
@@ -149,7 +149,7 @@ def _open(path: Path, settings: ReadingSettings) -> Source:
 
 
 def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Optional[CRS], tuple[str, ...]]:
-    """Return the reference system of all sources, and what is to be said about it."""
+    """Return the reference system of all sources, and what the user should know about it."""
     if chosen is not None:
         chosen = horizontal(chosen)
         require_metres(chosen, "the cloud in the chosen coordinate reference system")
@@ -171,7 +171,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if silent:
         return common, (
             f"There is no coordinate reference system in {names_of(silent)}, so {name_of(common)} "
-            "of the other files is taken.",
+            "of the other files is used for them.",
         )
     if chosen is not None and chosen != common:
         return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)

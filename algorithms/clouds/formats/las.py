@@ -32,9 +32,9 @@ EVERYTHING = Selection.all()
 class LasSource(Source):
     """A LAS or LAZ file.
 
-    An intensity or a colour that is zero in all sampled points counts as absent, and a colour
-    that stays below 256 there as 8 bits in a 16-bit field. The header's bounding box is never
-    used: octree exports put the box of the tree there.
+    An intensity or a colour that is zero in all sampled points counts as absent. A colour that is below
+    256 in all of them counts as 8 bits in a 16-bit field. The header's bounding box is never used,
+    because octree exports write the box of their tree there.
 
     Attributes
     ----------
@@ -53,12 +53,12 @@ class LasSource(Source):
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "LasSource":
-        """Look into the header and a few thousand points of `path`.
+        """Examine the header and a few thousand points of `path`.
 
         Raises
         ------
         InputError
-            If the file is no LAS, is truncated, is damaged or holds no points.
+            If the file is not a LAS, is truncated, is damaged or holds no points.
         """
         with open_reader(path) as reader:
             header = reader.header
@@ -103,7 +103,7 @@ class LasSource(Source):
         Parameters
         ----------
         selection : laspy.DecompressionSelection
-            The dimensions that matter; others may hold anything.
+            The dimensions that are needed; the others are undefined.
 
         Yields
         ------
@@ -133,12 +133,12 @@ class LasSource(Source):
 def open_reader(
     path: Path, selection: laspy.DecompressionSelection = EVERYTHING
 ) -> Iterator[laspy.LasReader]:
-    """Open `path` with laspy, once its header is found to agree with its length.
+    """Open `path` with laspy, after checking that its header agrees with its length.
 
     Raises
     ------
     InputError
-        If the file is no LAS, is truncated, is damaged or holds no points.
+        If the file is not a LAS, is truncated, is damaged or holds no points.
     """
     with _as_input_error(path):
         stream = path.open("rb")
@@ -192,7 +192,7 @@ def _check_layout(path: Path, stream: BinaryIO) -> None:
 
 
 def _check_chunk_table(path: Path, stream: BinaryIO, data_start: int, size: int) -> None:
-    """Refuse a table that lies beyond the end, or whose size would make lazrs abort."""
+    """Refuse a chunk table that lies beyond the end of the file, or whose size would make lazrs abort."""
 
     def integer(position: int, code: str) -> int:
         stream.seek(position)
@@ -222,8 +222,8 @@ def _check_scales(path: Path, header: laspy.LasHeader) -> None:
         farthest = np.abs(header.scales) * 2.0**31 + np.abs(header.offsets)
     if not (np.isfinite(farthest).all() and np.all(header.scales)):
         raise InputError(
-            f"{path} has coordinates that are not numbers, for the scale or offset in its "
-            "header is not valid; export it again."
+            f"{path} has coordinates that are not numbers because the scale or offset in "
+            "its header is not valid; export it again."
         )
 
 
@@ -231,7 +231,7 @@ def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> n
     """Return the records of a few short runs spread over the whole file."""
     count, size = reader.header.point_count, settings.las_run_points
     if _has_chunks_of_any_size(reader.header):
-        # There lazrs seeks to the wrong point; a COPC starts with points from all over the site.
+        # lazrs seeks to the wrong point in such files; a COPC starts with points from all over the site.
         return _read(path, reader, min(settings.las_runs * size, count))
     runs = []
     for start in np.unique(np.linspace(0, max(count - size, 0), settings.las_runs).astype(int)):

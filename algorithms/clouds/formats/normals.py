@@ -18,7 +18,7 @@ def simplified(name: str) -> str:
 
 
 def find_normals(names: Sequence[str]) -> Optional[tuple[int, int, int]]:
-    """Return where the three components stand among `names`; None if any is missing."""
+    """Return the positions of the three components among `names`; None if any is missing."""
     keys = [simplified(name) for name in names]
     found = [
         next(keys.index(alias) for alias in aliases if alias in keys)

@@ -16,7 +16,7 @@ from .number_table import read_numbers
 from .value_ranges import intensity_scale, rgb_factor, to_uint16
 
 HEADER_LINES = 1000
-"""A file without the end of a header so far, in lines and in bytes of a line, is no PLY."""
+"""A file without the end of a header so far, in lines and in bytes of a line, is not a PLY."""
 
 BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
 TYPES = {
@@ -39,7 +39,7 @@ INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectan
 
 @dataclass(frozen=True)
 class Layout:
-    """Where the vertices stand in a file.
+    """The position of the vertices in a file.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Layout:
 class PlySource(Source):
     """A PLY file.
 
-    The range of intensity and of colour that is not of whole numbers is judged by the first points.
+    The first points decide in which range intensity is, and colour that is not of whole numbers.
 
     Attributes
     ----------
@@ -91,12 +91,12 @@ class PlySource(Source):
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "PlySource":
-        """Look into the header and the first points of `path`.
+        """Examine the header and the first points of `path`.
 
         Raises
         ------
         InputError
-            If the file is no PLY, is truncated or holds no points.
+            If the file is not a PLY, is truncated or holds no points.
         """
         layout = _read_layout(path)
         sample = next(
@@ -202,7 +202,7 @@ def _read_layout(path: Path) -> Layout:
         raise unreadable(path, error) from error
     encoding = next((words[1] for words in lines if words[0] == "format" and len(words) > 1), None)
     if encoding not in BYTE_ORDERS:
-        raise InputError(f"{path} is a PLY of an encoding that is not known; export it again.")
+        raise InputError(f"{path} is a PLY of an unknown encoding; export it again.")
     lines_before = 0
     for name, count, properties in _elements(path, lines):
         if name == "vertex":

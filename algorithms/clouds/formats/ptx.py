@@ -24,7 +24,7 @@ WIDTHS = (3, 4, 7)
 class PtxSource(Source):
     """A PTX file; the points of all scans, moved by their poses, without the cells that are empty.
 
-    The first scan tells whether there is intensity and colour. Where another has none, they are 0.
+    The first scan decides whether there is intensity and colour. They are 0 in scans without.
 
     Attributes
     ----------
@@ -36,12 +36,12 @@ class PtxSource(Source):
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "PtxSource":
-        """Look into the first scan of `path`.
+        """Examine the first scan of `path`.
 
         Raises
         ------
         InputError
-            If the file is no PTX, is truncated or holds no points.
+            If the file is not a PTX, is truncated or holds no points.
         """
         sample = next((points for points, *_ in _blocks(path, settings.sample_points) if len(points)), None)
         if sample is None:
@@ -103,7 +103,7 @@ def _position(stream: TextIO) -> int:
 
 def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int, np.ndarray]]:
     """Return the number of cells and the pose, a matrix for rows; None at the end of the file."""
-    # Columns, rows, the scanner's place and axes, which the pose repeats, and the pose.
+    # Columns, rows, the scanner's position and axes, which the pose repeats, and the pose.
     lines = list(islice(stream, 10))
     if not any(line.strip() for line in lines):
         return None

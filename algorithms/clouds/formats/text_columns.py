@@ -13,7 +13,7 @@ from .text_dialect import NUMBER
 
 @dataclass(frozen=True)
 class Columns:
-    """Where the values stand; columns count from 0.
+    """The columns that hold the values, counted from 0.
 
     Attributes
     ----------
@@ -73,9 +73,9 @@ def _are_numbers(row: list[str]) -> list[bool]:
 
 
 def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> bool:
-    """Tell whether the first numeric column only numbers the points.
+    """Whether the first numeric column only numbers the points.
 
-    That is when nothing in it repeats or has decimals, while the next three columns have.
+    It does if none of its values repeats or has decimals, while the next three columns have decimals.
     """
     labels = [row[numeric[0]] for row in rows]
     coordinates = values[:, numeric[1:4]]

@@ -27,7 +27,7 @@ class Layout:
     preamble : int
         Number of lines before the first point.
     announced : int or None
-        Number of points that the count line of a PTS promises; None if there is none.
+        Number of points that the count line of a PTS announces; None without such a line.
     intensity_scale : tuple of 2 float
         Summand, then factor, that bring the intensity to 0..65535.
     rgb_factor : float
@@ -49,7 +49,7 @@ class Layout:
 
 
 def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
-    """Find out from the beginning of `path` how it is written.
+    """Return the layout of `path`, found from its beginning.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
 def _first_lines(path: Path, size: int) -> tuple[str, list[str]]:
     with path.open("rb") as stream:
         sample = stream.read(size)
-        goes_on = bool(stream.read(1))
+        has_more = bool(stream.read(1))
     marks = [name for mark, name in BYTE_ORDER_MARKS.items() if sample.startswith(mark)]
     encoding = marks[0] if marks else "utf-8"
     if encoding != "utf-16" and b"\0" in sample:
@@ -96,7 +96,7 @@ def _first_lines(path: Path, size: int) -> tuple[str, list[str]]:
     lines = list(io.StringIO(sample.decode(encoding, errors="replace"), newline=None))
     if lines and lines[0].lower().startswith("ncols"):
         raise InputError(f"{path} is a raster grid, not a point cloud; choose the cloud itself.")
-    return encoding, lines[:-1] if goes_on else lines
+    return encoding, lines[:-1] if has_more else lines
 
 
 def _middle(path: Path, xyz: np.ndarray) -> np.ndarray:

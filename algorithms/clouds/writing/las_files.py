@@ -29,7 +29,7 @@ def of_one_point_format(cloud: Cloud) -> tuple[LasSource, ...]:
     if len(files) < len(cloud.sources):
         return ()
     formats = [source.point_format for source in files]
-    # Waveforms stand elsewhere in the file, where the records of a new file would not find them.
+    # Waveforms are stored apart from the records, which would not find them in a new file.
     same = not formats[0].has_waveform_packet and all(
         other.id == formats[0].id and _extra(other) == _extra(formats[0]) for other in formats
     )
@@ -54,13 +54,13 @@ def copied_header(path: Path) -> tuple[laspy.LasHeader, list[laspy.VLR]]:
 
 
 def replace_crs(header: laspy.LasHeader, evlrs: list[laspy.VLR], crs: Optional[CRS]) -> list[laspy.VLR]:
-    """Make `crs` the reference system of `header`; return `evlrs` without those that name another."""
+    """Make `crs` the reference system of `header`; return `evlrs` without those that state another."""
     header.vlrs[:] = [record for record in header.vlrs if record.user_id != "LASF_Projection"]
     if crs is not None:
         if header.version < laspy.header.Version(1, 4):
             header.version = laspy.header.Version(1, 4)
         header.vlrs.append(WktCoordinateSystemVlr(crs.to_wkt()))
-    # The newer point formats know nothing else than WKT.
+    # The newer point formats allow WKT only.
     header.global_encoding.wkt = crs is not None or header.point_format.id >= 6
     return [record for record in evlrs if record.user_id != "LASF_Projection"]
 
@@ -134,7 +134,7 @@ def rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, path
 
 
 def stored(values: np.ndarray, scale: float, path: Path) -> np.ndarray:
-    """Return the integers that stand for `values` in a LAS file.
+    """Return the integers by which a LAS file stores `values`.
 
     Raises
     ------
