@@ -15,8 +15,9 @@ class ThinCloudAlgorithm(Algorithm):
     chapter = "Clouds"
     summary = "Leaves out points so that no two are closer than a minimum distance."
     about = (
-        "Points are left out until no two are closer than the point spacing, exactly and in space, also "
-        "across files. Several files become one. From LAS and LAZ to LAS and LAZ, every attribute stays."
+        "Points are left out until no two are closer than the point spacing. The distance is exact, in "
+        "space, and holds across files. Several files become one. LAS and LAZ files of one point format "
+        "keep every attribute if the output is LAS or LAZ."
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (CLOUDS, SPACING)

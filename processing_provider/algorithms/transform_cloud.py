@@ -10,16 +10,16 @@ from ..parameters.files import JsonFile
 
 
 class TransformCloudAlgorithm(Algorithm):
-    """Move clouds to where a registration puts them."""
+    """Move clouds by the transformations of a registration."""
 
     key = "transformcloud"
     title = "Transform laser scans"
     chapter = "Clouds"
     summary = "Moves each scan to the control points by the transformation that registerscans found for it."
     about = (
-        "Every cloud is moved by the transformation of the scan of its name, and written to the folder under "
-        "the same name, to a tenth of a millimetre. All attributes stay, normals turn along, and the "
-        "coordinate reference system of the control points is set."
+        "Each cloud is moved by the transformation of the scan with the same name, and written to the folder "
+        "under that name, to a tenth of a millimetre. It keeps all attributes, its normals are rotated, and "
+        "it gets the coordinate reference system of the control points."
     )
     words = ("transform", "register", "georeference", "rotate", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (
@@ -27,14 +27,14 @@ class TransformCloudAlgorithm(Algorithm):
         JsonFile(
             "TRANSFORMS",
             "Transformations",
-            "The json file that registerscans writes, or one by hand with the name and matrix of each scan.",
+            "The json file that registerscans writes, or your own with the name and matrix of each scan.",
         ),
     )
     destinations = (
         FolderDestination(
             "OUTPUT_FOLDER",
             "Transformed clouds",
-            "Folder for one cloud per scan. LAS, LAZ and text stay what they are; all else becomes LAZ.",
+            "Folder for one cloud per scan. LAS, LAZ and text keep their format; all others become LAZ.",
             listing="CLOUDS",
         ),
     )
@@ -62,7 +62,7 @@ class TransformCloudAlgorithm(Algorithm):
         log.warn(unit_warnings(sources))
         if transforms.crs is None:
             log.warn(
-                [f"{transforms.path} names no coordinate reference system, so the results have none either."]
+                [f"{transforms.path} states no coordinate reference system, so the results have none either."]
             )
         numbers = {"SCANS_TRANSFORMED": len(scans), "POINTS": 0}
 

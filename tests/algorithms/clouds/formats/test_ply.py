@@ -132,7 +132,7 @@ def test_chunks_do_not_change_a_bit(tmp_path_factory, size, encoding):
     [
         ("ascii", "ply\n", "plywood\n", "is not a PLY file"),
         ("ascii", "end_header\n", "", "is not a PLY file"),
-        ("ascii", "format ascii", "format morse", "of an encoding that is not known"),
+        ("ascii", "format ascii", "format morse", "of an unknown encoding"),
         ("ascii", "vertex 3", "vertex many", "has a header that cannot be read"),
         ("ascii", "vertex 3", "vertex 0", "holds no points"),
         ("ascii", "vertex 3", "corner 3", "holds no points"),
