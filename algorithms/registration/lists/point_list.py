@@ -13,6 +13,7 @@ from ...errors import InputError
 from .point_layer import SUFFIXES, list_name, read_features, read_layer
 from .point_rows import Rows
 from .point_text import read_text
+from .settings import ListSettings
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,9 @@ class PointList:
     path: Optional[Path] = None
 
 
-def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> PointList:
+def read_point_list(
+    path: Union[str, Path], layer: Optional[str] = None, settings: ListSettings = ListSettings()
+) -> PointList:
     """Read a list of points from a text file or a vector layer, by extension.
 
     Parameters
@@ -56,6 +59,8 @@ def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> Poin
         the columns x y z or name x y z, or with a header.
     layer : str, optional
         Which layer of a GeoPackage.
+    settings : ListSettings
+        Of text files.
 
     Raises
     ------
@@ -66,7 +71,7 @@ def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> Poin
     path = Path(path)
     try:
         is_layer = path.suffix.lower() in SUFFIXES
-        rows = read_layer(path, layer) if is_layer else read_text(path)
+        rows = read_layer(path, layer) if is_layer else read_text(path, settings)
         name = list_name(path, layer) if is_layer else path.stem
     except OSError as error:
         raise unreadable(path, error) from error

@@ -20,8 +20,8 @@ from ...clouds.formats.text_layout import (
 )
 from ...errors import InputError
 from .point_rows import ROLES, Rows
+from .settings import ListSettings
 
-LARGEST = 2**20  # bytes
 OTHER_UNIT = re.compile(r"[\[(](mm|cm|dm|km|in|ft|us-?ft|feet)[\])]", re.IGNORECASE)
 DELIMITERS = (";", "\t", ",", " ")
 REMEDY = "name the columns in a first line, as 'name x y z' or 'x y z intensity'."
@@ -48,7 +48,7 @@ class ListColumns:
         return (*self.name, *self.xyz)
 
 
-def read_text(path: Path) -> Rows:
+def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     """Read a list of points from a text file.
 
     Raises
@@ -58,7 +58,7 @@ def read_text(path: Path) -> Rows:
     OSError
         If the system does not let us read it.
     """
-    lines = _lines(path)
+    lines = _lines(path, settings)
     delimiter, width = delimiter_and_width(path, lines)
     points = [not _is_remark(line, delimiter, width) and _numbers(line, delimiter) >= 3 for line in lines]
     first = points.index(True)
@@ -69,7 +69,7 @@ def read_text(path: Path) -> Rows:
         number: split(line, delimiter) for number, line in numbered if not _is_remark(line, delimiter, width)
     }
     regular = [row for row in rows.values() if len(row) == width]
-    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter)
+    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter, settings)
     _refuse_other_units(path, [split(line, delimiter) for line in lines[:first]], columns)
     coordinates = [[row[column] for column in columns.xyz] for row in regular]
     dialect = Dialect(delimiter, decimal_sign(path, coordinates, delimiter, header), width)
@@ -83,9 +83,9 @@ def read_text(path: Path) -> Rows:
     )
 
 
-def _lines(path: Path) -> list[str]:
+def _lines(path: Path, settings: ListSettings) -> list[str]:
     size = path.stat().st_size
-    if size > LARGEST:
+    if size > settings.most_bytes:
         raise InputError(
             f"{path} is too large for a list of points ({size / 2**20:.0f} MB); choose the list, not a cloud."
         )
@@ -135,13 +135,15 @@ def _refuse_other_units(path: Path, preamble: list[list[str]], columns: ListColu
             raise InputError(f"The header of {path} gives coordinates in {unit}; convert them to metres.")
 
 
-def _columns_by_content(path: Path, rows: list[list[str]], delimiter: str) -> ListColumns:
+def _columns_by_content(
+    path: Path, rows: list[list[str]], delimiter: str, settings: ListSettings
+) -> ListColumns:
     """Tell names and coordinates apart by what `rows`, of one width, look like."""
     # Six whole numbers between commas may be three with decimal commas; fewer cannot.
     if delimiter == "," and len(rows[0]) > 5:
         decimal_sign(path, rows, delimiter, {})
     shares = np.mean([[bool(NUMBER.fullmatch(field)) for field in row] for row in rows], axis=0)
-    numeric = np.flatnonzero(shares >= 0.5).tolist()
+    numeric = np.flatnonzero(shares >= settings.least_numeric_share).tolist()
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as name x y z.")
     name = list(range(numeric[0]))

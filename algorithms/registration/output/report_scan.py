@@ -5,10 +5,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...reporting.html import Markup, bullets, element, notes, number, paragraph, section, table
-from ..adjustment.statistical_tests import CRITICAL_W, critical_tau
+from ..adjustment.settings import OutlierTestSettings
+from ..adjustment.statistical_tests import critical_tau
 from ..results import GlobalTest, Registration, ScanRegistration
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
+
+CRITICAL_W = OutlierTestSettings().critical_w
 
 LEVEL = 0.05
 """Of the global test, both sides together."""

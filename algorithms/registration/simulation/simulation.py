@@ -22,9 +22,6 @@ SUCCESS = "success"
 WRONG = "wrong labels"
 INCOMPLETE = "incomplete"
 
-SCALES = (0.1, 10.0)
-"""Between which the scale of a scan lies when nothing is known about it."""
-
 
 @dataclass(frozen=True)
 class Trial:
@@ -213,7 +210,7 @@ def _trial(
     control: PointList, seen: np.ndarray, settings: Settings, scale_ppm: float, generator: np.random.Generator
 ) -> Trial:
     places = control.xyz[seen]
-    true = _pose(places, settings.model, generator)
+    true = _pose(places, settings, generator)
     # Of the points as surveyed, too: only the difference of both errors matters.
     noise = generator.normal(0, np.hypot(settings.sigma, settings.control_sigma), places.shape)
     measured = places + scale_ppm * 1e-6 * (places - places.mean(axis=0)) + noise
@@ -224,13 +221,16 @@ def _trial(
     return _judged(found, true, dict(zip(names, seen)), control.names)
 
 
-def _pose(places: np.ndarray, model: Model, generator: np.random.Generator) -> np.ndarray:
+def _pose(places: np.ndarray, settings: Settings, generator: np.random.Generator) -> np.ndarray:
     """Return a scanner somewhere among the places, turned at random; from its frame to theirs."""
-    if model.levelled:
+    if settings.model.levelled:
         rotation = Rotation.from_euler("z", generator.uniform(0, 2 * np.pi))
     else:
         rotation = Rotation.from_quat(generator.normal(size=4))
-    scale = np.exp(generator.uniform(*np.log(SCALES))) if model is Model.UNKNOWN_SCALE else 1.0
+    scale = 1.0
+    if settings.model is Model.UNKNOWN_SCALE:
+        limits = settings.simulation.smallest_scale, settings.simulation.largest_scale
+        scale = np.exp(generator.uniform(*np.log(limits)))
     pose = np.eye(4)
     pose[:3, :3] = scale * rotation.as_matrix()
     pose[:3, 3] = generator.uniform(places.min(axis=0), places.max(axis=0))
