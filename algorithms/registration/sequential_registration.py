@@ -60,9 +60,10 @@ def register_in_sequence(
         if not matches:
             break
         for name in _surest(matches, settings.matches.accidents.certain):
-            scan, network = placed_scan(waiting.pop(name), matches[name], network, settings, number)
-            placed.append(scan)
-    refused = {name: match_scan(scan, network, settings) for name, scan in waiting.items()}
+            registered, network = placed_scan(waiting.pop(name), matches[name], network, settings, number)
+            placed.append(registered)
+    results = {name: match_scan(scan, network, settings) for name, scan in waiting.items()}
+    refused = {name: result for name, result in results.items() if isinstance(result, Refusal)}
     return SequentialRegistration(network, tuple(placed), refused)
 
 

@@ -217,10 +217,8 @@ class _System:
         redundancy = np.clip(1.0 - adjusted / self.sigmas**2, 0.0, 1.0)
         residuals = self._residuals(poses, points)
         ends = 3 * np.cumsum([len(item.points) for item in self.sightings])
-        kinds = [
-            _tested(*(part.reshape(-1, 3) for part in parts), tests)
-            for parts in zip(*(np.split(each, ends) for each in (residuals, redundancy, self.sigmas)))
-        ]
+        parts = zip(*(np.split(each, ends) for each in (residuals, redundancy, self.sigmas)))
+        kinds = [_tested(v.reshape(-1, 3), r.reshape(-1, 3), s.reshape(-1, 3), tests) for v, r, s in parts]
         width = self.model.unknowns
         return Block(
             poses=tuple(poses),

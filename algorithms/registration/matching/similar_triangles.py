@@ -29,11 +29,10 @@ class SimilarTriangles:
         ratios = sides[:, :2] / np.maximum(sides[:, 2:], limit)
         # The shape of a long triangle is known better than that of a short one: one tree for each doubling.
         octaves = np.floor(np.log2(np.maximum(sides[:, 2], limit) / limit)).astype(int)
-        self._trees = [
-            (np.flatnonzero(octaves == octave), 2.0 ** (1 - octave))
-            for octave in np.unique(octaves[octaves >= settings.least_octave])
-        ]
-        self._trees = [(rows, cKDTree(ratios[rows]), radius) for rows, radius in self._trees]
+        self._trees = []
+        for octave in np.unique(octaves[octaves >= settings.least_octave]):
+            rows = np.flatnonzero(octaves == octave)
+            self._trees.append((rows, cKDTree(ratios[rows]), 2.0 ** (1 - octave)))
 
     def seeds(self, targets: np.ndarray, last: int, count: int) -> np.ndarray:
         """Return sets of three nodes, shape (s, 3), that end with `last`, as `matching_matrix.seeds` does."""

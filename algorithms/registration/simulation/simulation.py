@@ -52,7 +52,7 @@ class Trial:
     shift_error: float
     rotation_error: float
     sigma0: float
-    confused: frozenset
+    confused: frozenset[tuple[str, str]]
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class Simulation:
         return len(self.successes) / len(self.trials)
 
     @property
-    def failures(self) -> dict:
+    def failures(self) -> dict[str, int]:
         """Numbers of all other trials by their outcome, the most frequent first."""
         counts = Counter(trial.outcome for trial in self.trials if trial.outcome != SUCCESS)
         return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
@@ -186,7 +186,9 @@ def _check(control: PointList, model: Model, targets_per_scan: int) -> None:
         )
 
 
-def _groups(control: PointList, size: int, reach: Optional[float]) -> tuple[list, tuple[str, ...]]:
+def _groups(
+    control: PointList, size: int, reach: Optional[float]
+) -> tuple[list[np.ndarray], tuple[str, ...]]:
     """Return the rows of control points that can be seen together, and a warning about the others."""
     if reach is None:
         return [np.arange(len(control.names))], ()
@@ -237,7 +239,7 @@ def _pose(places: np.ndarray, settings: Settings, generator: np.random.Generator
     return pose
 
 
-def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[str, ...]) -> Trial:
+def _judged(found: ScanRegistration, true: np.ndarray, rows: dict[str, int], names: tuple[str, ...]) -> Trial:
     """Compare a registration with the true pose, and with the true rows of the targets."""
     row_of = {name: row for row, name in enumerate(names)}
     right = sum(row_of[item.control] == rows[item.target] for item in found.correspondences)
@@ -249,7 +251,7 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         outcome = WRONG
     else:
         outcome = SUCCESS if right == len(rows) else INCOMPLETE
-    shift, rotation = _errors(found.matrix, true) if found.registered else (np.nan, np.nan)
+    shift, rotation = _errors(found.matrix, true) if found.matrix is not None else (np.nan, np.nan)
     rivals = [{target: row_of[point] for target, point in rival.items()} for rival in found.rivals]
     pairs = {
         tuple(sorted((row, rows[target])))
@@ -263,7 +265,7 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         wrong=wrong,
         shift_error=shift,
         rotation_error=rotation,
-        sigma0=found.test.sigma0 if found.registered else np.nan,
+        sigma0=found.test.sigma0 if found.test else np.nan,
         confused=frozenset((names[one], names[other]) for one, other in pairs),
     )
 
