@@ -71,7 +71,7 @@ def fit_pose(control: np.ndarray, targets: np.ndarray, model: Model) -> Pose:
     rotation = _about_vertical(products) if model.levelled else _by_quaternion(products)
     scale = np.ones(position.shape[:-1])
     if model.scaled:
-        # Without extent the scale is 1: coincident targets say nothing about it.
+        # Coincident targets have no scale; nothing is divided by zero.
         squares = np.maximum((b**2).sum(axis=(-2, -1)), np.finfo(float).tiny)
         scale = (a * (b @ np.swapaxes(rotation, -1, -2))).sum(axis=(-2, -1)) / squares
     return Pose(rotation, scale, centre, position)
