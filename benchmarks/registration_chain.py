@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.adjustment.control_network import Network
+from ichnograph.algorithms.registration.adjustment.control_network import ControlNetwork
 from ichnograph.algorithms.registration.registration import reduced, register_scans
-from ichnograph.algorithms.registration.sequential_registration import grow
+from ichnograph.algorithms.registration.sequential_registration import register_in_sequence
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 
@@ -44,8 +44,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
 def _one_by_one(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
     """Return ratio and length of the errors of the targets at the end, without the block adjustment."""
     control, origin = reduced(chain.control)
-    network = Network.of_surveyed(control.names, control.xyz, settings.control_sigma)
-    network = grow({scan.name: reduced(scan)[0] for scan in chain.scans}, network, settings).network
+    network = ControlNetwork.of_surveyed(control.names, control.xyz, settings.control_sigma)
+    scans = {scan.name: reduced(scan)[0] for scan in chain.scans}
+    network = register_in_sequence(scans, network, settings).network
     last = chain.scans[-1].name
     return [
         _compared(

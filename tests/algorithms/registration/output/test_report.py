@@ -11,7 +11,7 @@ from ichnograph.algorithms.registration.output.report_scan import verdict
 from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.reporting.numbers import MISSING
-from ichnograph.tests.algorithms.registration.made import (
+from ichnograph.tests.algorithms.registration.made_registrations import (
     CORNER,
     correspondence,
     refused,

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings, strategies
 from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
-from ichnograph.tests.algorithms.registration.lists import GRID, HALL, labels, listed, scanned
+from ichnograph.tests.algorithms.registration.hall import GRID, HALL, labels, listed, scanned
 from ichnograph.tests.scenes.targets import target_scene
 
 BY_NAMES = Settings(matching=Matching.NAMES)

@@ -12,7 +12,7 @@ from ichnograph.algorithms.registration.output.layers import (
     write_residuals,
 )
 from ichnograph.algorithms.registration.results import ControlPoint
-from ichnograph.tests.algorithms.registration.made import (
+from ichnograph.tests.algorithms.registration.made_registrations import (
     CORNER,
     correspondence,
     refused,

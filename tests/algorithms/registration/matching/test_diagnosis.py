@@ -5,7 +5,7 @@ import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
-from ichnograph.tests.algorithms.registration.lists import GRID, HALL, labels, listed, scanned
+from ichnograph.tests.algorithms.registration.hall import GRID, HALL, labels, listed, scanned
 from ichnograph.tests.scenes.targets import target_scene
 
 CUBE = np.array([[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)], float)
