@@ -9,14 +9,16 @@ import argparse
 from pathlib import Path
 
 import numpy as np
+from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
 from .accuracy import PLACE
-from .chain import run_chain
 
 NAMES = ("interior", "rooms")
 """Scenes whose walls close rooms from all sides, but for doors."""
@@ -50,8 +52,7 @@ def measure(name: str, angular_step: float, seeds: int, folder: Path) -> str:
         true = true_rooms(scene)
         ideal += errors(find_rooms(scene.truth.geoms), true)
         write_laz(folder / "scan.laz", scene.scan(angular_step, seed=seed), slice(None), "EPSG:25833")
-        plan = run_chain([folder / "scan.laz"], folder, f"{name}_{seed}").plan
-        found = find_rooms(wall.outline for wall in plan.walls)
+        found = make_site_plan(open_cloud([folder / "scan.laz"]), SitePlanSettings(with_rooms=True)).rooms
         real += errors(found, true)
         surplus += len(found) - len(true)
     worst = [100 * np.nanmax(np.abs(values)) for values in (ideal, real)]

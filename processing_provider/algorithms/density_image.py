@@ -4,12 +4,13 @@ from functools import partial
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
-    compute_density,
     density_destination,
+    height_range,
+    log_density,
     point_numbers,
 )
 
@@ -34,7 +35,11 @@ class DensityImageAlgorithm(Algorithm):
 
     def compute(self, values: dict, log: Log) -> Outcome:
         """Compute the image."""
-        from ...algorithms.site_plan.output.layers import write_density
+        from ...algorithms.site_plan.density.density_image import density_image
+        from ...algorithms.site_plan.density.density_raster import write_density
 
-        image = compute_density(values, log, log.progress)
+        size = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
+        image = density_image(open_site(values), *size, log.progress, height_range(values))
+        log.warn(image.warnings)
+        log_density(image, log)
         return Outcome({"DENSITY": partial(write_density, image=image)}, point_numbers(image))

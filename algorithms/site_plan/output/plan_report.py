@@ -1,8 +1,8 @@
 """REPORT: a site plan as a page to read: how it came about, and which parameter to turn."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
@@ -10,11 +10,10 @@ from ...reporting.charts import histogram
 from ...reporting.html import Markup, element, figure, notes, number, paragraph, section, table, write_page
 from ...reporting.pictures import embedded, grey
 from ..density.density_image import DensityImage
+from ..results import SitePlan
 from ..rooms.rooms import Room
-from ..site_plan import SitePlan
-from ..walls.extraction import select_by_threshold
-from ..walls.height_gate import Gate, make_gate
-from ..walls.thresholds import surface_rule
+from ..settings import SitePlanSettings
+from ..walls.extraction import ThresholdStep
 from .plan_pictures import COLOURS, FACE, ROOM, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
 
 MOST_PICTURES = 12
@@ -24,96 +23,40 @@ MOST_ROWS = 300
 """The tables list so many walls and rooms at most; the layers hold all."""
 
 
-@dataclass(frozen=True)
-class _Steps:
-    """What the criteria did over the thresholds.
-
-    Attributes
-    ----------
-    small, misshapen : ndarray of bool, shape (rows, columns)
-        Pixels of regions that were removed at any threshold.
-    rows : list of tuple
-        Threshold, regions, of them too small, of them misshapen.
-    pictures : list of (str, str)
-        Captions and addresses.
-    """
-
-    small: np.ndarray
-    misshapen: np.ndarray
-    rows: list
-    pictures: list
-
-
-def write_report(
-    path: Path, plan: SitePlan, image: DensityImage, settings: dict, rooms: Sequence[Room] = ()
-) -> None:
+def write_report(path: Path, plan: SitePlan) -> None:
     """Write the report as one HTML page.
-
-    Parameters
-    ----------
-    path : Path
-    plan : SitePlan
-    image : DensityImage
-        What the plan was made from.
-    settings : dict of str to str
-        Further parameters of the run and their values.
-    rooms : sequence of Room
-        If they were looked for.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    gate = make_gate(image.density, image.heights, plan.image.parameters.min_height, image.transform.a)
-    view = View.around(plan.image.gated > 0, image.transform)
-    steps = _steps(plan, gate, view, image.transform.a)
+    view = View.around(plan.image.gated > 0, plan.transform)
     write_page(
         path,
         "Site plan",
-        paragraph(_totals(plan, rooms)),
-        notes((*image.warnings, *plan.image.warnings)),
-        section("Plan", _final(plan, image, view, rooms)),
-        section("What became of the pixels", *_removed(plan, image, gate, view, steps)),
-        section("Thresholds", *_thresholds(plan, image, steps)),
-        section("Density image", _density(image, view)),
-        section("Parameters", _parameters(plan, image, gate, settings)),
+        paragraph(_totals(plan)),
+        notes(plan.warnings),
+        section("Plan", _final(plan, view)),
+        section("What became of the pixels", *_removed(plan, view)),
+        section("Thresholds", *_thresholds(plan, view)),
+        section("Density image", _density(plan.density, view)),
+        section("Parameters", _parameters(plan)),
         section("Walls", _walls(plan)),
-        section("Rooms", _rooms(rooms)) if rooms else Markup(),
+        section("Rooms", _rooms(plan.rooms)) if plan.rooms else Markup(),
     )
 
 
-def _totals(plan: SitePlan, rooms: Sequence[Room]) -> str:
+def _totals(plan: SitePlan) -> str:
     walls = f"Walls: {len(plan.walls)}, {plan.area:.2f} m² in plan, {plan.length:.1f} m long"
-    if not rooms:
-        return f"{walls}."
-    return f"{walls}. Rooms: {len(rooms)}, {sum(room.area for room in rooms):.2f} m²."
+    return f"{walls}. Rooms: {len(plan.rooms)}, {plan.room_area:.2f} m²." if plan.rooms else f"{walls}."
 
 
-def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
-    """Go through the thresholds as the extraction did, and note what it had no use for."""
-    found = plan.image
-    values = found.thresholds.values
-    shown = set(np.linspace(0, len(values) - 1, min(len(values), MOST_PICTURES)).round().astype(int).tolist())
-    steps = _Steps(np.zeros(found.walls.shape, bool), np.zeros(found.walls.shape, bool), [], [])
-    selections = select_by_threshold(found.gated, found.thresholds, pixel_size, found.criteria, gate.column)
-    for i, selection in enumerate(selections):
-        np.logical_or(steps.small, selection.small, out=steps.small)
-        np.logical_or(steps.misshapen, selection.misshapen, out=steps.misshapen)
-        counts = (selection.regions, selection.too_small, selection.wrong_shape)
-        steps.rows.append((values[i], *counts))
-        if i in shown:
-            kept = counts[0] - counts[1] - counts[2]
-            picture = embedded(coloured(fates_at(selection, view), THUMBNAIL))
-            steps.pictures.append((f"{values[i]:.2f}: {kept} of {counts[0]} regions kept", picture))
-    return steps
-
-
-def _final(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room]) -> Markup:
-    parts = [view.areas([room.outline for room in rooms], ROOM, 0.15)] if rooms else []
+def _final(plan: SitePlan, view: View) -> Markup:
+    parts = [view.areas([room.outline for room in plan.rooms], ROOM, 0.15)] if plan.rooms else []
     parts.append(view.areas([wall.outline for wall in plan.walls], FACE, 0.35))
     return figure(
-        view.sheet(_grey(image, view, 2.0), *parts),
+        view.sheet(_grey(plan.density, view, 2.0), *parts),
         "The walls over the density image. A wall of the image without a colour is missing: see below which "
         "criterion removed it. A colour where no wall stands: see below what let it pass.",
     )
@@ -133,11 +76,13 @@ def _density(image: DensityImage, view: View) -> Markup:
     )
 
 
-def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps: _Steps) -> tuple:
-    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
-    area = np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2
+def _removed(plan: SitePlan, view: View) -> tuple[Markup, ...]:
+    fate = fates(plan, view)
+    area = np.bincount(fate.ravel(), minlength=len(Fate)) * plan.transform.a**2
     found = plan.image
-    regions, small, misshapen = (sum(column) for column in list(zip(*steps.rows))[1:])
+    regions = sum(step.regions for step in found.steps)
+    small = sum(step.too_small for step in found.steps)
+    misshapen = sum(step.wrong_shape for step in found.steps)
     rows = [
         (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down if it is none"),
         (
@@ -196,8 +141,9 @@ def _swatch(kind: Fate) -> Markup:
     return element("span", style=style)
 
 
-def _thresholds(plan: SitePlan, image: DensityImage, steps: _Steps) -> tuple:
-    thresholds = plan.image.thresholds
+def _thresholds(plan: SitePlan, view: View) -> tuple[Markup, ...]:
+    thresholds, steps = plan.image.thresholds, plan.image.steps
+    shown = np.unique(np.linspace(0, len(steps) - 1, min(len(steps), MOST_PICTURES)).round().astype(int))
     tall = plan.image.gated[plan.image.gated > 0] / thresholds.deviation
     pictures = [
         element(
@@ -206,9 +152,12 @@ def _thresholds(plan: SitePlan, image: DensityImage, steps: _Steps) -> tuple:
             element("figcaption", caption),
             style="width:31%;margin:0",
         )
-        for caption, address in steps.pictures
+        for caption, address in (_picture(plan, steps[i], view) for i in shown)
     ]
-    rows = [(number(value, 2), *map(str, counts)) for value, *counts in steps.rows]
+    rows = [
+        (number(step.threshold, 2), *map(str, (step.regions, step.too_small, step.wrong_shape)))
+        for step in steps
+    ]
     ends = (thresholds.values[0], thresholds.values[-1])
     return (
         element("div", *pictures, style="display:flex;flex-wrap:wrap;gap:1rem 3%;margin:1rem 0"),
@@ -226,21 +175,27 @@ def _thresholds(plan: SitePlan, image: DensityImage, steps: _Steps) -> tuple:
     )
 
 
-def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict) -> Markup:
-    found, given = plan.image, plan.image.parameters
-    held = np.isfinite(image.density)
-    rule = surface_rule(gate.flat[held], gate.tall[held])
-    values, deviation = found.thresholds.values, found.thresholds.deviation
+def _picture(plan: SitePlan, step: ThresholdStep, view: View) -> tuple[str, str]:
+    """Return the caption and the address of the picture of a threshold."""
+    kept = step.regions - step.too_small - step.wrong_shape
+    fate = fates_at(plan.image.verdicts(step), view)
+    caption = f"{step.threshold:.2f}: {kept} of {step.regions} regions kept"
+    return caption, embedded(coloured(fate, THUMBNAIL))
+
+
+def _parameters(plan: SitePlan) -> Markup:
+    found, given, gate = plan.image, plan.image.parameters, plan.image.gate
+    values, deviation, rule = found.thresholds.values, found.thresholds.deviation, found.thresholds.rule
 
     def density(value: float) -> str:
         return f"{value:.3g} standard deviations = {value * deviation:.3g} points per pixel"
 
-    def origin(value, derived: str) -> str:
+    def origin(value: Optional[float], derived: str) -> str:
         return "given" if value is not None else f"derived: {derived}"
 
     seen = "heights tell where the ground was seen" if gate.open_ground is not None else "no heights are used"
     rows = [
-        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value)),
+        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value if rule else "")),
         (
             "THRESHOLD_MAX",
             density(values[-1]),
@@ -256,11 +211,25 @@ def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict)
         ("MIN_ELONGATION", f"{found.criteria.min_elongation:g}", "given"),
         ("CLOSING", f"{found.gap:g} m", origin(given.closing, seen)),
         ("MIN_HEIGHT", f"{given.min_height:g} m", "given" if gate.column is not None else "not applied"),
-        ("PIXEL_SIZE", f"{image.transform.a:g} m", "given"),
-        *((name, value, "given") for name, value in settings.items()),
-        ("CRS", image.crs.to_string() if image.crs else "none", "of the files, or given"),
+        ("PIXEL_SIZE", f"{plan.transform.a:g} m", "given"),
+        *((name, value, "given") for name, value in _run(plan.settings).items()),
+        ("CRS", plan.crs.to_string() if plan.crs else "none", "of the files, or given"),
     ]
     return table(("parameter", "value", "origin"), rows, words=(1, 2), caption="Defaults count as given.")
+
+
+def _run(settings: SitePlanSettings) -> dict[str, str]:
+    """Return the parameters of the run beyond those of the walls."""
+    heights = settings.height_range
+    limits = {"ZMIN": heights.low, "ZMAX": heights.high}
+    return {
+        "SPACING": f"{settings.spacing_m:g} m",
+        "NEIGHBOURHOOD": f"{settings.neighbourhood_px} pixels",
+        "REFINE": "yes" if settings.refine else "no",
+        **{name: f"{value:g} m" for name, value in limits.items() if np.isfinite(value)},
+        **({"HEIGHTS": "above the local ground"} if heights.above_ground else {}),
+        **({"DOOR_WIDTH": f"{settings.door_width_m:g} m"} if settings.with_rooms else {}),
+    }
 
 
 def _walls(plan: SitePlan) -> Markup:
