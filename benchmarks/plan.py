@@ -102,7 +102,7 @@ def scanned(scene: Scene, variant: str, angular_step: float, seed: int) -> Scan:
     )
 
 
-def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict:
+def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict[str, Quality]:
     """Return the quality of the plan that each chain makes of a scan, by the name of the chain."""
     scene = placed(name, seed)
     scan = scanned(scene, variant, angular_step, seed)

@@ -54,7 +54,7 @@ TASKS = {"make_scan": make_scan, "decode": decode, "chain": chain}
 TIMED = ("decode", "chain")
 
 
-def timed(task: str, path: Path, points: int) -> dict:
+def timed(task: str, path: Path, points: int) -> dict[str, float]:
     """Run a task in a process of its own; return its seconds without imports, and its peak memory."""
     command = [sys.executable, "-m", "ichnograph.benchmarks.speed", "--task", task]
     command += ["--file", str(path), "--points", str(points)]

@@ -1,6 +1,7 @@
 """The algorithm `densityimage`."""
 
 from functools import partial
+from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -23,17 +24,17 @@ class DensityImageAlgorithm(Algorithm):
     chapter = "Site plan"
     summary = "Counts the points above each pixel of the ground plan, after thinning."
     about = (
-        "The clouds are thinned, and the points above each pixel counted: walls stand out, as many points "
-        "lie above each other there. Further bands hold the height that points fill above the local ground, "
-        "the lowest and highest point, the ground, and what tells foliage and furniture from walls "
-        "(Mueller, Kohoutek and Theiler 2012)."
+        "The clouds are thinned, and the points above each pixel are counted: walls stand out because many "
+        "points lie above each other there. Further bands hold the height that points fill above the local "
+        "ground, the lowest and highest point, the ground, and two measures that separate foliage and "
+        "furniture from walls (Mueller, Kohoutek and Theiler 2012)."
     )
     words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
     inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
     destinations = (density_destination(optional=False),)
     numbers = POINT_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Compute the image."""
         from ...algorithms.site_plan.density.density_image import density_image
         from ...algorithms.site_plan.density.density_raster import write_density

@@ -1,5 +1,7 @@
 """The algorithm `extractwalls`."""
 
+from typing import Any
+
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.files import RasterFile
@@ -35,7 +37,7 @@ class ExtractWallsAlgorithm(Algorithm):
     destinations = (plan_destination(optional=False), WALLS)
     numbers = WALL_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Read the raster and extract the walls."""
         from ...algorithms.site_plan.density.density_raster import read_density
         from ...algorithms.site_plan.site_plan import extract_walls

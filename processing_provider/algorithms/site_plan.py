@@ -1,7 +1,7 @@
 """The algorithm `siteplan`."""
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
@@ -44,8 +44,8 @@ if TYPE_CHECKING:
 REFINE = Flag(
     "REFINE",
     "Outlines on the wall faces",
-    "Moves the outlines from the edges of pixels to where the points of the faces are, straight or curved, "
-    "and measures thickness, radius and coverage. No gives the outlines of the paper.",
+    "Moves the outlines from the edges of pixels to the points of the faces, straight or curved, and "
+    "measures thickness, radius and coverage. No gives the outlines of the paper.",
     default=True,
     advanced=False,
 )
@@ -59,8 +59,8 @@ class SitePlanAlgorithm(Algorithm):
     chapter = "Site plan"
     summary = "Turns terrestrial laser scans into a site plan: the walls as polygons."
     about = (
-        "The clouds are thinned, a density image is computed, and the walls are extracted from it, with "
-        "defaults that are derived from the data and told in the log. INPUT is all it needs "
+        "The clouds are thinned, a density image is computed, and the walls are extracted from it. Only "
+        "INPUT is needed: defaults that depend on the data are derived and written to the log "
         "(Mueller, Kohoutek and Theiler 2012)."
     )
     words = (
@@ -98,13 +98,13 @@ class SitePlanAlgorithm(Algorithm):
     )
     numbers = POINT_NUMBERS + WALL_NUMBERS + ROOM_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Make the plan."""
         from ...algorithms.site_plan.density.density_raster import write_density
         from ...algorithms.site_plan.site_plan import make_site_plan
 
         try:
-            plan = make_site_plan(open_site(values), _settings(values), log.progress)
+            plan = make_site_plan(open_site(values), settings_of(values), log.progress)
         except NothingFoundError as error:
             log.warn(error.warnings)
             raise
@@ -119,7 +119,8 @@ class SitePlanAlgorithm(Algorithm):
         )
 
 
-def _settings(values: dict) -> "SitePlanSettings":
+def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
+    """Return what the user chose."""
     from ...algorithms.site_plan.settings import SitePlanSettings
 
     return SitePlanSettings(

@@ -1,7 +1,7 @@
 """What the algorithms that compute a density image have in common."""
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..log import Log
 from .destinations import RasterDestination
@@ -53,7 +53,7 @@ def density_destination(optional: bool) -> RasterDestination:
     return RasterDestination("DENSITY", "Density image", help_text, style="density", optional=optional)
 
 
-def height_range(values: dict) -> "HeightRange":
+def height_range(values: dict[str, Any]) -> "HeightRange":
     """Return the heights that the user chose."""
     from ...algorithms.site_plan.density.height_range import HeightRange
 
@@ -70,6 +70,6 @@ def log_density(image: "DensityImage", log: Log) -> None:
     log.info(f"Density image: {columns} x {rows} pixels of {image.transform.a:g} m.")
 
 
-def point_numbers(image: "DensityImage") -> dict:
+def point_numbers(image: "DensityImage") -> dict[str, int]:
     """Return the values of `POINT_NUMBERS`."""
     return {"POINTS_IN": image.points_in, "POINTS_KEPT": image.points_kept}

@@ -4,7 +4,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..log import Log
-from .destinations import HtmlDestination, LineDestination, PolygonDestination
+from .destinations import HtmlDestination, LineDestination, PolygonDestination, Writer
 from .parameter import Number
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ ROOMS = PolygonDestination(
 REPORT = HtmlDestination(
     "REPORT",
     "Report",
-    "HTML page that shows what each parameter did, and which to turn; see the results viewer.",
+    "HTML page that shows what each parameter did, and which to change; see the results viewer.",
     optional=True,
     by_default=False,
 )
@@ -64,7 +64,7 @@ def log_rooms(plan: "SitePlan", log: Log) -> None:
         log.info(f"Rooms: {len(plan.rooms)}, {plan.room_area:.2f} m².")
 
 
-def room_writers(plan: "SitePlan") -> dict:
+def room_writers(plan: "SitePlan") -> dict[str, Writer]:
     """Return what writes AXES, ROOMS and REPORT."""
     from ...algorithms.site_plan.output.layers import write_axes, write_rooms
     from ...algorithms.site_plan.output.plan_report import write_report
@@ -73,6 +73,6 @@ def room_writers(plan: "SitePlan") -> dict:
     return {name: partial(write, plan=plan) for name, write in writers.items()}
 
 
-def room_numbers(plan: "SitePlan") -> dict:
+def room_numbers(plan: "SitePlan") -> dict[str, float]:
     """Return the values of `ROOM_NUMBERS`."""
     return {} if plan.rooms is None else {"ROOM_COUNT": len(plan.rooms), "ROOM_AREA": plan.room_area}

@@ -1,10 +1,10 @@
 """What the algorithms that extract walls have in common."""
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..log import Log
-from .destinations import PolygonDestination, RasterDestination
+from .destinations import PolygonDestination, RasterDestination, Writer
 from .parameter import Number
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ WALL_PARAMETERS = (
         "THRESHOLD",
         "Lowest density threshold",
         "Density from which a pixel may be wall. If not set, it is derived from the density of the "
-        "horizontal surfaces; the log tells the value. Raise it if clutter is taken for walls.",
+        "horizontal surfaces and written to the log. Raise it if clutter is taken for walls.",
         unit="standard deviations",
         minimum=0,
     ),
@@ -50,7 +50,7 @@ WALL_PARAMETERS = (
         "CLOSING",
         "Widest gap to close",
         "Joins the two faces of a wall and bridges interruptions. If not set, it is 0.8 m where the heights "
-        "tell where the ground was seen, so that doors stay open, and 0.4 m where they do not.",
+        "show the ground between walls, so that doors stay open, and 0.4 m where they do not.",
         unit="m",
         minimum=0,
         maximum=100,
@@ -58,9 +58,9 @@ WALL_PARAMETERS = (
     Number(
         "MIN_HEIGHT",
         "Least occupied height of a wall",
-        "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Keeps "
-        "out floors and beams; with it, vegetation and furniture are told from walls. Lower it for low "
-        "ruins; 0 uses density alone.",
+        "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Removes "
+        "floors and beams; also separates vegetation and furniture from walls. Lower it for low ruins; 0 "
+        "uses density alone.",
         unit="m",
         default=0.4,
         minimum=0,
@@ -107,7 +107,7 @@ def plan_destination(optional: bool) -> RasterDestination:
     return RasterDestination("PLAN", "Plan raster", help_text, style="plan", optional=optional)
 
 
-def wall_parameters(values: dict) -> "WallParameters":
+def wall_parameters(values: dict[str, Any]) -> "WallParameters":
     """Return what the user chose."""
     from ...algorithms.site_plan.walls.extraction import WallParameters
 
@@ -124,13 +124,13 @@ def log_walls(plan: "WallPlan", log: Log) -> None:
     log.info(f"Walls: {len(plan.walls)}, {plan.area:.2f} m², {plan.length:.1f} m long.")
 
 
-def wall_writers(plan: "WallPlan") -> dict:
+def wall_writers(plan: "WallPlan") -> dict[str, Writer]:
     """Return what writes PLAN and WALLS."""
     from ...algorithms.site_plan.output.layers import write_plan, write_walls
 
     return {"PLAN": partial(write_plan, plan=plan), "WALLS": partial(write_walls, plan=plan)}
 
 
-def wall_numbers(plan: "WallPlan") -> dict:
+def wall_numbers(plan: "WallPlan") -> dict[str, float]:
     """Return the values of `WALL_NUMBERS`."""
     return {"WALL_COUNT": len(plan.walls), "WALL_AREA": plan.area, "WALL_LENGTH": plan.length}

@@ -7,7 +7,7 @@ from typing import Optional
 
 import numpy as np
 from affine import Affine
-from shapely.geometry import Polygon
+from shapely.geometry import LinearRing, Polygon
 
 from ...reporting.html import Markup, element
 from ...reporting.maps import Map
@@ -99,7 +99,7 @@ class View:
         (left, top), (right, bottom) = self.world.place(self.corners)
         return self.world.sheet(image(rgb, left, top, right - left, bottom - top), *parts)
 
-    def areas(self, outlines: Iterable, colour: str, opacity: float) -> Markup:
+    def areas(self, outlines: Iterable[Polygon], colour: str, opacity: float) -> Markup:
         """Return polygons, filled and bordered in a colour."""
         path = "".join(self._ring(ring) for outline in outlines for ring in _rings(outline))
         return element(
@@ -112,7 +112,7 @@ class View:
             stroke_width=1,
         )
 
-    def _ring(self, ring) -> str:
+    def _ring(self, ring: LinearRing) -> str:
         return (
             "M"
             + "L".join(f"{x:.1f} {y:.1f}" for x, y in self.world.place(np.asarray(ring.coords)[:-1]))
@@ -120,7 +120,7 @@ class View:
         )
 
 
-def _rings(outline: Polygon) -> tuple:
+def _rings(outline: Polygon) -> tuple[LinearRing, ...]:
     return (outline.exterior, *outline.interiors)
 
 
@@ -151,7 +151,7 @@ def fates_at(verdicts: np.ndarray, view: View) -> np.ndarray:
     return np.array([FATE_OF[verdict] for verdict in Verdict], np.uint8)[view.part(verdicts)]
 
 
-def _numbered(rules: dict) -> np.ndarray:
+def _numbered(rules: dict[Fate, np.ndarray]) -> np.ndarray:
     """Return the number of the first rule that holds."""
     return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
 

@@ -266,5 +266,5 @@ def _rooms(rooms: Sequence[Room]) -> Markup:
     return table(header, rows, words=(0,), caption=caption + _cut(rooms))
 
 
-def _cut(items: Sequence) -> str:
+def _cut(items: Sequence[object]) -> str:
     return f"The first {MOST_ROWS} of {len(items)}." if len(items) > MOST_ROWS else ""

@@ -71,7 +71,7 @@ def choose_thresholds(
     InputError
         If `highest` is given and below a given `lowest`.
     """
-    if None not in (lowest, highest) and highest < lowest:
+    if lowest is not None and highest is not None and highest < lowest:
         raise InputError(
             f"THRESHOLD_MAX {highest:g} is below THRESHOLD {lowest:g}; raise it, or leave it empty."
         )
