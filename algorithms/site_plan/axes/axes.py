@@ -11,6 +11,7 @@ from shapely.geometry import LineString, Polygon
 from ...geometry.azimuths import line_azimuth
 from ...geometry.circles import fit_arc
 from ...geometry.curves import Curve, Line, fit_line
+from ...progress import Progress
 from .skeleton import Chain, skeleton_of
 
 WANDER = (0.01, 0.12)
@@ -74,19 +75,24 @@ class Axis:
         return float(self.line.length)
 
 
-def find_axes(walls: Iterable) -> tuple:
+def find_axes(walls: Iterable[tuple[int, Polygon]], progress: Progress = Progress()) -> tuple[Axis, ...]:
     """Return the axes of walls; a wall not longer than thick, such as a column, has none.
 
     Parameters
     ----------
     walls : iterable of (int, Polygon)
         Numbers and outlines, world coordinates.
+    progress : Progress
+        Reports and cancels.
 
     Returns
     -------
     tuple of Axis
     """
-    pieces = [(wall_id, piece) for wall_id, outline in walls for piece in _axes_of(outline)]
+    walls, pieces = list(walls), []
+    for done, (wall_id, outline) in enumerate(walls):
+        progress.update(done / len(walls), "Finding axes")
+        pieces += [(wall_id, piece) for piece in _axes_of(outline)]
     return tuple(Axis(wall_id, number, *piece) for number, (wall_id, piece) in enumerate(pieces, start=1))
 
 

@@ -1,5 +1,6 @@
 """Outlines on the faces of the walls, in place of outlines of pixels (beyond the paper)."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
 
@@ -14,7 +15,6 @@ from ...errors import NothingFoundError
 from ...geometry.polygons import polygons_between, polygons_of
 from ...progress import Progress
 from ..density.density_image import DensityImage, SortedPoints
-from ..site_plan import SitePlan
 from ..walls.pixel_outlines import overlaps
 from ..walls.wall import Wall, band_length
 from .face_outline import INSIDE, redraw
@@ -36,25 +36,29 @@ points lie in no surface: they are foliage."""
 
 
 def refine_on_points(
-    plan: SitePlan, points: SortedPoints, image: DensityImage, progress: Progress = Progress()
-) -> SitePlan:
-    """Gather the points near the walls of a plan, and move its outlines onto the faces; see `refine_plan`."""
-    near = gather_face_points(points, image, plan.image.walls, progress.part(0.0, 0.5))
-    return refine_plan(plan, near, image.density, image.transform, progress.part(0.5, 1.0))
+    walls: Sequence[Wall],
+    pixels: np.ndarray,
+    points: SortedPoints,
+    image: DensityImage,
+    progress: Progress = Progress(),
+) -> tuple[tuple[Wall, ...], int]:
+    """Gather the points near the pixels of walls, and move outlines onto the faces as `refine_walls` does."""
+    near = gather_face_points(points, image, pixels, progress.part(0.0, 0.5))
+    return refine_walls(walls, near, image.density, image.transform, progress.part(0.5, 1.0))
 
 
-def refine_plan(
-    plan: SitePlan,
+def refine_walls(
+    walls: Sequence[Wall],
     points: FacePoints,
     density: np.ndarray,
     transform: Affine,
     progress: Progress = Progress(),
-) -> SitePlan:
-    """Move the outlines of a plan onto the faces that the points show, and measure the walls by them.
+) -> tuple[tuple[Wall, ...], int]:
+    """Move the outlines of walls onto the faces that the points show, and measure the walls by them.
 
     Parameters
     ----------
-    plan : SitePlan
+    walls : sequence of Wall
         With outlines of pixels.
     points : FacePoints
         Near them, relative to the lower left corner of the image.
@@ -65,6 +69,12 @@ def refine_plan(
     progress : Progress
         Reports and cancels.
 
+    Returns
+    -------
+    walls : tuple of Wall
+    foliage : int
+        Number of walls that were left out because their points lie on no face.
+
     Raises
     ------
     NothingFoundError
@@ -74,9 +84,10 @@ def refine_plan(
     origin = transform.c, transform.f - height * size
     local = Affine(size, 0.0, 0.0, 0.0, -size, height * size)
     held = np.isfinite(density)
-    walls, foliage = [], 0
-    for number, wall in enumerate(plan.walls):
-        progress.update(number / len(plan.walls), "Fitting faces")
+    found: list[Wall] = []
+    foliage = 0
+    for number, wall in enumerate(walls):
+        progress.update(number / len(walls), "Fitting faces")
         pixels = orient(translate(wall.outline, -origin[0], -origin[1]))
         rings = [
             find_sides(np.asarray(ring.coords), points, local.a)
@@ -86,15 +97,15 @@ def refine_plan(
         if any(part.coverage is None or part.coverage >= NO_FACE for part in refined) or not _is_full(
             rings, pixels, points
         ):
-            walls += refined
+            found += refined
         else:
             foliage += 1
-    if not walls:
+    if not found:
         raise NothingFoundError(
             "No wall found: none of what stands there has a face; REFINE=no gives the outlines of the pixels."
         )
-    walls = [replace(wall, wall_id=number) for number, wall in enumerate(_apart(walls), start=1)]
-    return replace(plan, walls=tuple(walls), foliage=foliage)
+    apart = _apart(found)
+    return tuple(replace(wall, wall_id=number) for number, wall in enumerate(apart, start=1)), foliage
 
 
 def _is_full(rings: list, pixels: Polygon, points: FacePoints) -> bool:

@@ -17,6 +17,7 @@ from shapely.ops import polygonize
 
 from ...geometry.linked_parts import label_linked
 from ...geometry.outline_triangles import OutlineMesh, triangulate_outlines
+from ...progress import Progress
 from .doors import FLAT, trim
 
 DOOR_WIDTH = 1.3
@@ -67,7 +68,9 @@ class Room:
         return float(self.outline.length)
 
 
-def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
+def find_rooms(
+    outlines: Iterable[Polygon], door_width: float = DOOR_WIDTH, progress: Progress = Progress()
+) -> tuple[Room, ...]:
     """Find the closed spaces between walls.
 
     Parameters
@@ -76,6 +79,8 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
         Walls, in world coordinates.
     door_width : float
         Gaps up to this width, in metres, are bridged.
+    progress : Progress
+        Reports and cancels.
 
     Returns
     -------
@@ -85,10 +90,14 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     outlines = list(outlines)
     if not outlines:
         return ()
+    progress.update(0.0, "Triangulating the space between walls")
     mesh = triangulate_outlines(outlines, margin=max(2 * door_width, 1.0))
     spaces = _spaces(mesh, door_width)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
-    found = [(_outline(mesh, spaces, number), number) for number in np.flatnonzero(spaces.is_room)]
+    numbers, found = np.flatnonzero(spaces.is_room), []
+    for done, number in enumerate(numbers):
+        progress.update(0.5 + 0.5 * done / len(numbers), "Outlining rooms")
+        found.append((_outline(mesh, spaces, number), number))
     found = sorted((pair for pair in found if _is_wide(pair[0])), key=lambda pair: -pair[0].area)
     return tuple(
         Room(room_id, translate(outline, *mesh.origin), _count_openings(spaces, number))
@@ -96,7 +105,7 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     )
 
 
-def with_floors(rooms: tuple, ground: np.ndarray, transform: Affine) -> tuple:
+def with_floors(rooms: tuple[Room, ...], ground: np.ndarray, transform: Affine) -> tuple[Room, ...]:
     """Return rooms with the heights of their floors.
 
     Parameters
