@@ -240,7 +240,7 @@ def _drawn(piece: _Piece, places: dict, outline: Polygon) -> LineString:
     last = places.get(piece.end)
     first = _wall_end(piece.curve, piece.points, outline) if first is None else first
     last = _wall_end(piece.curve, piece.points[::-1], outline) if last is None else last
-    corners = piece.curve.between(np.concatenate([[first], piece.points, [last]]))
+    corners = piece.curve.between(np.concatenate([[first], piece.points, [last]]), 0.001)
     if np.linalg.norm(corners[0] - first) <= JOG:
         corners = corners[1:]
     if np.linalg.norm(corners[-1] - last) <= JOG:
