@@ -3,8 +3,11 @@
 from dataclasses import dataclass, field
 
 from ..settings import judged, physical
+from .axes.settings import AxisSettings
 from .density.height_range import HeightRange
 from .density.settings import DensitySettings
+from .faces.settings import FaceSettings
+from .rooms.settings import RoomSettings
 from .walls.extraction import WallParameters
 from .walls.settings import WallSettings
 
@@ -31,7 +34,7 @@ class SitePlanSettings:
         Whether axes and rooms are looked for.
     door_width_m : float
         Gaps in walls up to this width are bridged for rooms.
-    density, walls
+    density, walls, faces, axes, rooms
         Settings of the stages.
     """
 
@@ -46,3 +49,6 @@ class SitePlanSettings:
     door_width_m: float = physical(1.3, "Door leaves are up to 1.25 m wide, corridors seldom below 1.3 m.")
     density: DensitySettings = field(default_factory=DensitySettings)
     walls: WallSettings = field(default_factory=WallSettings)
+    faces: FaceSettings = field(default_factory=FaceSettings)
+    axes: AxisSettings = field(default_factory=AxisSettings)
+    rooms: RoomSettings = field(default_factory=RoomSettings)

@@ -53,8 +53,9 @@ def make_site_plan(
         walls, foliage = found.walls, 0
         if settings.refine:
             pixels = found.image.walls
-            walls, foliage = refine_on_points(walls, pixels, points, density, progress.part(0.8, 0.9))
-    axes = _axes(walls, progress.part(0.9, 0.95)) if settings.with_axes else None
+            fitting = progress.part(0.8, 0.9)
+            walls, foliage = refine_on_points(walls, pixels, points, density, fitting, settings.faces)
+    axes = _axes(walls, settings, progress.part(0.9, 0.95)) if settings.with_axes else None
     rooms = _rooms(walls, density, settings, progress.part(0.95, 1.0)) if settings.with_rooms else None
     progress.update(1.0)
     return SitePlan(
@@ -128,12 +129,13 @@ def _warnings_kept(warnings: tuple[str, ...]) -> Iterator[None]:
         raise NothingFoundError(str(error), warnings) from error
 
 
-def _axes(walls: tuple[Wall, ...], progress: Progress) -> tuple[Axis, ...]:
-    return find_axes([(wall.wall_id, wall.outline) for wall in walls], progress)
+def _axes(walls: tuple[Wall, ...], settings: SitePlanSettings, progress: Progress) -> tuple[Axis, ...]:
+    return find_axes([(wall.wall_id, wall.outline) for wall in walls], settings.axes, progress)
 
 
 def _rooms(
     walls: tuple[Wall, ...], density: DensityImage, settings: SitePlanSettings, progress: Progress
 ) -> tuple[Room, ...]:
-    rooms = find_rooms([wall.outline for wall in walls], settings.door_width_m, progress)
+    outlines = [wall.outline for wall in walls]
+    rooms = find_rooms(outlines, settings.door_width_m, settings.rooms, progress)
     return with_floors(rooms, density.ground, density.transform)

@@ -13,7 +13,7 @@ from ichnograph.algorithms.site_plan.site_plan import extract_walls
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.algorithms.site_plan.site import band_at, cloud_of, gate_of, level, upright
 
-INDOOR = Path(__file__).parents[4] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"
+INDOOR = Path(__file__).parents[5] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"
 
 UPPER = 3.3
 """Height of the upper floor; the ceiling of the lower storey is 0.3 m below."""
