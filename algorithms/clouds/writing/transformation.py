@@ -243,7 +243,7 @@ def _moved_lines(lines: list[str], values: np.ndarray, layout: Layout, motion: M
 def _replace(
     rows: list[list[str]], columns: tuple[int, ...], values: np.ndarray, decimals: int, dialect: Dialect
 ) -> None:
-    """Write `values`, shape (n, columns), into the fields of `rows`; other fields stay unchanged."""
+    """Write `values`, shape (n, columns), into fields of `rows`; fields without a number are unchanged."""
     for column, numbers in zip(columns, values.T.tolist()):
         for row, number in zip(rows, numbers):
             if math.isfinite(number):
