@@ -75,6 +75,8 @@ class WritingSettings:
         1e-5,
         "At this step the 32 bits of LAS span 43 km; finer ones could not hold a site with distant points.",
     )
+    text_decimals: int = judged(5, "Ten micrometres: coordinates of LAS files of a finest step survive.")
+    normal_decimals: int = judged(6, "A direction to a millionth, finer than normals are estimated.")
     chunk_points: int = judged(
         1_000_000, "Smaller chunks spend time between them, larger ones take memory and gain nothing."
     )

@@ -144,7 +144,7 @@ def _write_text(
                 table[attribute] = chunk.attributes[attribute]
             table[name] = values[done : done + len(chunk.xyz)]
             done += len(chunk.xyz)
-            append_rows(table, stream, path)
+            append_rows(table, stream, path, settings)
 
 
 def _shared_attributes(cloud: Cloud) -> dict[str, np.dtype]:

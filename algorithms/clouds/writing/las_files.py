@@ -13,7 +13,8 @@ from rasterio.crs import CRS
 
 from ...errors import InputError
 from ..cloud import Cloud
-from ..formats.las import LasSource, open_reader
+from ..formats.las import LasSource
+from ..formats.las_reader import open_reader
 from ..settings import WritingSettings
 from ..source import Chunk, Source
 

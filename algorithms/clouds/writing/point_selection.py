@@ -102,7 +102,7 @@ def _write_text(
     written = 0
     with path.open("w", encoding="utf-8", newline="") as stream:
         for chunk in _kept_chunks(cloud, kept, progress, settings.chunk_points):
-            append_rows(table_of(cloud, chunk), stream, path)
+            append_rows(table_of(cloud, chunk), stream, path, settings)
             written += len(chunk.xyz)
     return written
 

@@ -8,6 +8,7 @@ import pandas as pd
 
 from ..cloud import Cloud
 from ..formats import format_of
+from ..settings import WritingSettings
 from ..source import Chunk
 
 
@@ -22,7 +23,9 @@ def table_of(cloud: Cloud, chunk: Chunk) -> pd.DataFrame:
     return table
 
 
-def append_rows(table: pd.DataFrame, stream: TextIO, path: Path) -> None:
+def append_rows(
+    table: pd.DataFrame, stream: TextIO, path: Path, settings: WritingSettings = WritingSettings()
+) -> None:
     """Write rows to a text file, after a header if they are its first."""
     known = format_of(path)
     table.to_csv(
@@ -30,5 +33,5 @@ def append_rows(table: pd.DataFrame, stream: TextIO, path: Path) -> None:
         sep=known.separator if known else " ",
         header=stream.tell() == 0,
         index=False,
-        float_format="%.5f",
+        float_format=f"%.{settings.text_decimals}f",
     )

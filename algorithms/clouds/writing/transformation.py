@@ -26,8 +26,6 @@ from ..settings import WritingSettings
 from ..source import Source
 from .las_files import copied_header, las_points, las_writer, new_header, replace_crs, stored
 
-DECIMALS, NORMAL_DECIMALS = 5, 6
-
 DIMENSION_NAME = 32
 """Bytes for the name of an extra dimension in LAS."""
 
@@ -221,22 +219,26 @@ def _write_text(
         stream.writelines(source.head())
         for lines, values in source.records(progress, settings.text_lines):
             points = iter(
-                _moved_lines([line for line in lines if source.is_point(line)], values, layout, motion)
+                _moved_lines(
+                    [line for line in lines if source.is_point(line)], values, layout, motion, settings
+                )
             )
             stream.writelines(next(points) if source.is_point(line) else line for line in lines)
             written += len(values)
     return written
 
 
-def _moved_lines(lines: list[str], values: np.ndarray, layout: Layout, motion: Motion) -> list[str]:
+def _moved_lines(
+    lines: list[str], values: np.ndarray, layout: Layout, motion: Motion, settings: WritingSettings
+) -> list[str]:
     dialect, columns = layout.dialect, layout.columns
     rows = [dialect.fields(line) for line in lines]
     positions = motion.places(values[:, :3] - motion.origin) + motion.offset
-    _replace(rows, columns.xyz, positions, DECIMALS, dialect)
+    _replace(rows, columns.xyz, positions, settings.text_decimals, dialect)
     if columns.normals:
         normals = [[dialect.number(row[column].strip(' "')) for column in columns.normals] for row in rows]
         rotated = motion.directions(np.array(normals).reshape(-1, 3))
-        _replace(rows, columns.normals, rotated, NORMAL_DECIMALS, dialect)
+        _replace(rows, columns.normals, rotated, settings.normal_decimals, dialect)
     return [dialect.delimiter.join(row) + "\n" for row in rows]
 
 
