@@ -11,7 +11,7 @@ from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 XYZ = np.array([[1.5, 2.25, 3.0], [4.5, 5.25, 6.5], [-7.5, 8.0, 9.125]])
 ENCODINGS = ["ascii", "binary_little_endian", "binary_big_endian"]

@@ -10,7 +10,7 @@ from ichnograph.algorithms.clouds.formats.text import TextSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 XYZ = [[1.5, 2.25, 3.0], [4.5, 5.25, 6.5], [-7.5, 8.0, 9.125]]
 
