@@ -1,5 +1,7 @@
 """The algorithm `thincloud`."""
 
+from typing import Any
+
 from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -27,7 +29,7 @@ class ThinCloudAlgorithm(Algorithm):
         ("POINTS_OUT", "Number of points after thinning"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Thin the clouds; the points are copied when the file is written."""
         from ...algorithms.clouds.thinning.thinning import thin_cloud
         from ...algorithms.clouds.writing.point_selection import write_cloud
