@@ -66,14 +66,14 @@ def _advice(ppm: float, significant: bool, model: Model, settings: ScaleTestSett
         return f"One unit of the scan is {1 + ppm / 1e6:.6g} m."
     if not significant:
         return (
-            "The scale does not differ from 1; a model without scale is enough."
+            "The scale does not differ significantly from 1; a model without scale suffices."
             if model.scaled
-            else "The scale does not differ from 1."
+            else "The scale does not differ significantly from 1."
         )
     cause = (
-        "as grid coordinates do that are not reduced for the projection"
+        "which suggests grid coordinates that are not reduced for the projection"
         if settings.least_projection_ppm < abs(ppm) < settings.most_projection_ppm
-        else "which points to the calibration of the scanner, or to too small a SIGMA"
+        else "which suggests that the scanner needs calibration, or that SIGMA is too small"
     )
     remedy = (
         "keep the model with scale" if model.scaled else "choose a model with scale, or reduce the distances"

@@ -38,7 +38,7 @@ def test_mixed_units_are_named_with_the_list_that_has_them(factor, unit, matchin
             listed("control", control, names), [listed("scan", scan, names)], Settings(matching=matching)
         ).scans[0]
         assert result.status == "units"
-        assert f"the coordinates of {what} are {unit}" in result.reason
+        assert f"the coordinates of {what} are in {unit}" in result.reason
 
 
 def test_a_scan_with_y_up_fits_no_levelled_model():

@@ -46,7 +46,7 @@ def test_targets_on_a_line_leave_a_scan_turning_about_it():
     line[1:5] += np.array([[0.31], [-0.42], [0.17], [0.55]]) * (line[5] - line[0]) / 10
     scan = register(np.concatenate([HALL, line]), scanned(line)[0])
 
-    assert scan.status == "collinear" and "pick a target beside it" in scan.reason
+    assert scan.status == "collinear" and "add a target beside it" in scan.reason
 
 
 def test_targets_above_each_other_leave_a_levelled_scan_turning():

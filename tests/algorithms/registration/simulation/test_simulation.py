@@ -91,7 +91,7 @@ def test_points_that_no_scan_reaches_are_told():
     done = simulate(points(xyz), trials=2, reach=100)
 
     assert done.warnings == (
-        "These control points are in no trial, for too few others are within REACH: P12.",
+        "These control points are in no trial because too few others are within REACH: P12.",
     )
 
 
