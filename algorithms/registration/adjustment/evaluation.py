@@ -208,6 +208,6 @@ def _misjudged_sigma(name: str, test: GlobalTest, settings: Settings) -> list[st
     ]
 
 
-def _missing_scale(name: str, test: Optional[ScaleTest], settings: Settings) -> list[str]:
+def _missing_scale(name: str, test: ScaleTest, settings: Settings) -> list[str]:
     """Warn of a scale that the model lacks."""
-    return [f"{name}: {test.advice}"] if test and test.significant and not settings.model.scaled else []
+    return [f"{name}: {test.advice}"] if test.significant and not settings.model.scaled else []

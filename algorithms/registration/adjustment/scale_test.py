@@ -1,7 +1,5 @@
 """The t-test whether the scale of a scan differs from 1, and what to do about it."""
 
-from typing import Optional
-
 import numpy as np
 from scipy import stats
 
@@ -18,7 +16,7 @@ WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCAL
 
 def scale_test(
     targets: np.ndarray, points: np.ndarray, number: int, adjusted: Adjusted, settings: Settings
-) -> Optional[ScaleTest]:
+) -> ScaleTest:
     """Test the scale of a scan, if its model has none by an adjustment of the scan alone with a scale.
 
     Parameters
@@ -31,16 +29,9 @@ def scale_test(
         Of the scan in the block.
     adjusted : Adjusted
     settings : Settings
-
-    Returns
-    -------
-    ScaleTest or None
-        None without redundancy.
     """
     model, block = settings.model, adjusted.block
     scaled = WITH_SCALE.get(model, model)
-    if 3 * len(targets) - scaled.unknowns <= 0:
-        return None
     if model is scaled:
         return _tested(block.poses[number], block.pose_cofactors[number], adjusted.tests[number], settings)
     sighting = Sighting(targets, points, block.poses[number])
