@@ -8,7 +8,7 @@ scikit-image
     `is_data_valid` drops a sample whose three distances differ before a model is fitted to it.
 open3d
     `registration_ransac_based_on_correspondence` with the checkers of its tutorial on distance and on edge
-    length (0.99 instead of 0.9, for targets are precise), 4,000,000 iterations, confidence 0.999.
+    length (0.99 instead of 0.9, because targets are precise), 4,000,000 iterations, confidence 0.999.
 kiss-matcher
     `prune_and_solve` without voxel sampling, the noise bound of pruning and solver as for the others.
 cliquematch
