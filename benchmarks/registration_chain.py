@@ -1,9 +1,9 @@
 """Print whether the errors at the end of a chain of scans are as large as predicted.
 
 Twenty scans in a row: only the first sees surveyed points, the others are registered to targets of the one
-before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains) is 1
-if the covariance of appended points is propagated correctly: once for each scan after the other, and once after
-the block adjustment.
+before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains)
+is 1 if the covariance of appended points is propagated correctly: once for each scan after the other, and
+once after the block adjustment.
 """
 
 import argparse
