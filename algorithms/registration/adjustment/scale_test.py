@@ -7,7 +7,6 @@ from ..results import GlobalTest, ScaleTest
 from ..settings import Model, Settings
 from .block_adjustment import Adjusted
 from .least_squares import Sighting, adjust
-from .settings import ScaleTestSettings
 from .similarity import Pose
 from .statistical_tests import global_test, spread_factor
 
@@ -48,11 +47,14 @@ def _tested(pose: Pose, cofactors: np.ndarray, test: GlobalTest, settings: Setti
     limits = settings.adjustment.scale_test
     limit = stats.t.isf(limits.significance / 2, max(test.redundancy, 1.0))
     significant = bool(abs(deviation) > limit * std)
-    advice = _advice(1e6 * deviation, significant, settings.model, limits)
+    advice = _advice(1e6 * deviation, significant, settings)
     return ScaleTest(1e6 * deviation, 1e6 * std, significant, advice)
 
 
-def _advice(ppm: float, significant: bool, model: Model, settings: ScaleTestSettings) -> str:
+def _advice(ppm: float, significant: bool, settings: Settings) -> str:
+    model = settings.model
+    least = settings.adjustment.scale_test.least_projection_ppm
+    most = 1e6 * settings.matches.tolerances.scale_error
     if model is Model.UNKNOWN_SCALE:
         return f"One unit of the scan is {1 + ppm / 1e6:.6g} m."
     if not significant:
@@ -63,7 +65,7 @@ def _advice(ppm: float, significant: bool, model: Model, settings: ScaleTestSett
         )
     cause = (
         "which suggests grid coordinates that are not reduced for the projection"
-        if settings.least_projection_ppm < abs(ppm) < settings.most_projection_ppm
+        if least < abs(ppm) <= most
         else "which suggests that the scanner needs calibration, or that SIGMA is too small"
     )
     remedy = (

@@ -38,10 +38,12 @@ def test_one_scan_in_a_hundred_has_a_scale_by_accident():
 
 
 def test_the_advice_names_the_projection_only_for_its_deviations():
-    projection, scanner = scale_test(1.0004), scale_test(1.00003, site=2 * SITE)
+    projection, small = scale_test(1.0004), scale_test(1.00003, site=2 * SITE)
+    large = scale_test(1.0008, site=HALL)
 
     assert "projection" in projection.advice
-    assert scanner.significant and "calibration" in scanner.advice
+    assert small.significant and "calibration" in small.advice
+    assert large.significant and "calibration" in large.advice
 
 
 def test_an_unknown_scale_is_stated_in_metres():
