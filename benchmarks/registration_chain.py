@@ -1,9 +1,9 @@
 """Print whether the errors at the end of a chain of scans are as large as predicted.
 
-Twenty scans in a row; only the first sees surveyed points, each other one is tied to targets of the one
+Twenty scans in a row: only the first sees surveyed points, the others are registered to targets of the one
 before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains)
-is 1 if the covariance of appended points is propagated correctly. It is printed for scans one after another,
-and for the block adjustment.
+is 1 if the covariance of appended points is propagated correctly: once for each scan after the other, and
+once after the block adjustment.
 """
 
 import argparse
@@ -68,9 +68,9 @@ def _in_one_block(chain: TargetChain, settings: Settings) -> list[tuple[float, f
 
 
 def _compared(
-    place: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
+    position: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
 ) -> tuple[float, float]:
-    error = place - chain.places[chain.scans[-1].name][target]
+    error = position - chain.places[chain.scans[-1].name][target]
     return float(np.sqrt(error @ np.linalg.solve(covariance, error) / 3)), float(np.linalg.norm(error))
 
 

@@ -77,10 +77,12 @@ def parameter_error(block: Block, scene: TargetScene, model: Model) -> np.ndarra
     """Return estimate minus truth of the parameters, in the order of the adjustment."""
     pose, true = block.poses[0], scene.matrix
     scale = np.cbrt(np.linalg.det(true[:3, :3]))
-    place = true[:3, :3] @ pose.centre + true[:3, 3] - CORNER
-    turn = Rotation.from_matrix(pose.rotation @ true[:3, :3].T / scale).as_rotvec()
-    sequence = [pose.scale / scale - 1.0] if model.scaled else []
-    return np.concatenate([pose.position - place, turn[2:] if model.levelled else turn, sequence])
+    position = true[:3, :3] @ pose.centre + true[:3, 3] - CORNER
+    rotation = Rotation.from_matrix(pose.rotation @ true[:3, :3].T / scale).as_rotvec()
+    scale_error = [pose.scale / scale - 1.0] if model.scaled else []
+    return np.concatenate(
+        [pose.position - position, rotation[2:] if model.levelled else rotation, scale_error]
+    )
 
 
 def with_bias(scene: TargetScene, coordinate: tuple[int, int], bias: float) -> TargetScene:

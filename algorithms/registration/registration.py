@@ -1,4 +1,4 @@
-"""The registration of all scans: one after the other as far as the points go, then all in one block."""
+"""The registration of all scans: one after the other as far as the points reach, then in one block."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -24,11 +24,11 @@ def register_scans(
     settings: Settings = Settings(),
     progress: Progress = Progress(),
 ) -> Registration:
-    """Find which targets are which control points, and the transformation of every scan.
+    """Identify the control points behind the targets, and compute the transformation of every scan.
 
-    Scans are taken in the order that works: those that match surveyed points first; their unmatched targets
-    are appended to the control points, on which the next ones may stand. In the end all are adjusted in one
-    block. Neither the order of the scans nor that of the rows of a list matters.
+    Scans that match surveyed points are registered first. Their unmatched targets are appended to the control
+    points, to which further scans may be registered. Finally all are adjusted in one block. Neither the order
+    of the scans nor that of the rows of a list matters.
 
     Parameters
     ----------
@@ -84,15 +84,15 @@ def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -
     repeated = next((name for name in names if names.count(name) > 1), None)
     if repeated is not None:
         raise InputError(
-            f"Two lists of targets are called {repeated}, and scans are known by their names; rename one."
+            f"Two lists of targets are called {repeated}; rename one, because their names identify the scans."
         )
     if not scans:
         raise InputError("No list of targets was given; choose at least one.")
 
 
 def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
-    """Return the list near the origin, in an order of its own, and what was taken off its coordinates."""
-    # Whole metres, so that taking them off rounds nothing.
+    """Return the list near the origin, sorted, and what was subtracted from its coordinates."""
+    # Whole metres, whose subtraction is exact.
     origin = np.round(points.xyz.mean(axis=0))
     order = np.lexsort(points.xyz.T[::-1])
     names = tuple(points.names[row] for row in order)
@@ -100,14 +100,14 @@ def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
 
 
 def _coincident(network: ControlNetwork, settings: Settings) -> list[str]:
-    """Warn of control points that cannot be told apart."""
+    """Warn of control points that are too close to distinguish them."""
     points = ControlPoints.of_network(network, settings)
     sentences = []
     for row in np.flatnonzero(coincident(points)):
         first = int(points.distances[row, :row].argmin())
         sentences.append(
             f"The control points {network.names[first]} and {network.names[row]} are "
-            f"{1000 * points.distances[row, first]:.0f} mm apart and cannot be told from each other; one is "
+            f"{1000 * points.distances[row, first]:.0f} mm apart, too close to distinguish them; only one is "
             "used."
         )
     return sentences

@@ -37,8 +37,8 @@ POINTS = QgsProcessing.SourceType.TypeVectorPoint
 class PointListFile(Parameter):
     """One list of points.
 
-    Its definition asks for a vector layer, for then the dialog offers the layers of the project beside a
-    file chooser, which lets pass text files too.
+    Its definition asks for a vector layer, because then the dialog offers the layers of the project and a
+    file chooser, which accepts text files too.
     """
 
     def _definition(self) -> QgsProcessingParameterVectorLayer:
@@ -70,7 +70,7 @@ class PointListFiles(Parameter):
         names = [points.name for points in lists]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
-            raise InputError(f"{self.name} has two lists called {twice}; leave out or rename one of them.")
+            raise InputError(f"{self.name} has two lists called {twice}; remove or rename one of them.")
         return lists
 
     def sources(self, value) -> list:
@@ -78,7 +78,7 @@ class PointListFiles(Parameter):
 
 
 def _items(given, context: QgsProcessingContext) -> list:
-    """Return layers and paths from any of the spellings that dialogs, scripts, models and shells have."""
+    """Return layers and paths from any spelling of dialogs, scripts, models and shells."""
     if isinstance(given, QgsProperty):
         given, _ = given.value(context.expressionContext())
     if isinstance(given, QgsMapLayer):
@@ -103,13 +103,15 @@ def _read(item: Union[QgsMapLayer, str]) -> "PointList":
     if not isinstance(item, QgsVectorLayer) or item.geometryType() != QgsWkbTypes.GeometryType.PointGeometry:
         raise InputError(f"{item.name()} is not a layer of points; choose another.")
     if not item.isValid():
-        raise InputError(f"The layer {item.name()} has lost its file; repair it or choose another.")
+        raise InputError(
+            f"The file of the layer {item.name()} is missing; repair the layer or choose another."
+        )
     path, name = _origin(item)
     return points_of_features(name, f"the layer {item.name()}", _features(item), item.crs().toWkt(), path)
 
 
 def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
-    """Return the file of a layer, None if it has none, and what a list from there is called."""
+    """Return the file of a layer, None without a file, and the name of its list."""
     from ...algorithms.registration.lists.point_layer import list_name
 
     provider = layer.providerType()
@@ -121,7 +123,7 @@ def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
 
 
 def _features(layer: QgsVectorLayer) -> Iterator[tuple[Optional[tuple], dict]]:
-    """Yield coordinates and attributes, of the features that the layer shows and as it was edited."""
+    """Yield coordinates and attributes of the features that the layer shows, edits included."""
     fields = layer.fields().names()
     for feature in layer.getFeatures():
         values = [None if value == NULL else value for value in feature.attributes()]

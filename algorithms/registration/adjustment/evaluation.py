@@ -202,12 +202,12 @@ def _misjudged_sigma(name: str, test: GlobalTest, settings: Settings) -> list[st
     if not test.probability < settings.adjustment.tests.significance:
         return []
     return [
-        f"The residuals of {name} are {test.sigma0:.1f} times as large as SIGMA says (chi-square probability "
-        f"{test.probability:.1g}); look for wrong targets, or set SIGMA to "
+        f"The residuals of {name} are {test.sigma0:.1f} times as large as SIGMA suggests (chi-square "
+        f"probability {test.probability:.1g}); look for wrong targets, or set SIGMA to "
         f"{test.sigma0 * settings.sigma:.2g}."
     ]
 
 
-def _missing_scale(name: str, test: Optional[ScaleTest], settings: Settings) -> list[str]:
+def _missing_scale(name: str, test: ScaleTest, settings: Settings) -> list[str]:
     """Warn of a scale that the model lacks."""
-    return [f"{name}: {test.advice}"] if test and test.significant and not settings.model.scaled else []
+    return [f"{name}: {test.advice}"] if test.significant and not settings.model.scaled else []

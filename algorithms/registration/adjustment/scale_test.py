@@ -1,7 +1,5 @@
 """The t-test whether the scale of a scan differs from 1, and what to do about it."""
 
-from typing import Optional
-
 import numpy as np
 from scipy import stats
 
@@ -9,7 +7,6 @@ from ..results import GlobalTest, ScaleTest
 from ..settings import Model, Settings
 from .block_adjustment import Adjusted
 from .least_squares import Sighting, adjust
-from .settings import ScaleTestSettings
 from .similarity import Pose
 from .statistical_tests import global_test, spread_factor
 
@@ -18,7 +15,7 @@ WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCAL
 
 def scale_test(
     targets: np.ndarray, points: np.ndarray, number: int, adjusted: Adjusted, settings: Settings
-) -> Optional[ScaleTest]:
+) -> ScaleTest:
     """Test the scale of a scan, if its model has none by an adjustment of the scan alone with a scale.
 
     Parameters
@@ -31,16 +28,9 @@ def scale_test(
         Of the scan in the block.
     adjusted : Adjusted
     settings : Settings
-
-    Returns
-    -------
-    ScaleTest or None
-        None without redundancy.
     """
     model, block = settings.model, adjusted.block
     scaled = WITH_SCALE.get(model, model)
-    if 3 * len(targets) - scaled.unknowns <= 0:
-        return None
     if model is scaled:
         return _tested(block.poses[number], block.pose_cofactors[number], adjusted.tests[number], settings)
     sighting = Sighting(targets, points, block.poses[number])
@@ -57,23 +47,26 @@ def _tested(pose: Pose, cofactors: np.ndarray, test: GlobalTest, settings: Setti
     limits = settings.adjustment.scale_test
     limit = stats.t.isf(limits.significance / 2, max(test.redundancy, 1.0))
     significant = bool(abs(deviation) > limit * std)
-    advice = _advice(1e6 * deviation, significant, settings.model, limits)
+    advice = _advice(1e6 * deviation, significant, settings)
     return ScaleTest(1e6 * deviation, 1e6 * std, significant, advice)
 
 
-def _advice(ppm: float, significant: bool, model: Model, settings: ScaleTestSettings) -> str:
+def _advice(ppm: float, significant: bool, settings: Settings) -> str:
+    model = settings.model
+    least = settings.adjustment.scale_test.least_projection_ppm
+    most = 1e6 * settings.matches.tolerances.scale_error
     if model is Model.UNKNOWN_SCALE:
         return f"One unit of the scan is {1 + ppm / 1e6:.6g} m."
     if not significant:
         return (
-            "The scale does not differ from 1; a model without scale is enough."
+            "The scale does not differ significantly from 1; a model without scale suffices."
             if model.scaled
-            else "The scale does not differ from 1."
+            else "The scale does not differ significantly from 1."
         )
     cause = (
-        "as grid coordinates do that are not reduced for the projection"
-        if settings.least_projection_ppm < abs(ppm) < settings.most_projection_ppm
-        else "which points to the calibration of the scanner, or to too small a SIGMA"
+        "which suggests grid coordinates that are not reduced for the projection"
+        if least < abs(ppm) <= most
+        else "which suggests that the scanner needs calibration, or that SIGMA is too small"
     )
     remedy = (
         "keep the model with scale" if model.scaled else "choose a model with scale, or reduce the distances"

@@ -55,9 +55,6 @@ class ScaleTestSettings:
     least_projection_ppm: float = physical(
         50.0, "Projections and heights above the ellipsoid change lengths by more than this on most sites."
     )
-    most_projection_ppm: float = physical(
-        2000.0, "No usual projection and no usual height changes lengths by more."
-    )
 
 
 @dataclass(frozen=True)

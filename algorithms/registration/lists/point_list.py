@@ -129,7 +129,7 @@ def _distinct(rows: Rows) -> tuple[list[int], tuple[str, ...]]:
         first = seen.setdefault(name, row)
         if not np.array_equal(rows.xyz[first], rows.xyz[row]):
             raise InputError(
-                f"The name {name} stands for two points of {rows.source}, in {rows.places[first]} and "
+                f"Two points of {rows.source} are called {name}, in {rows.places[first]} and "
                 f"{rows.places[row]}; rename or remove one of them."
             )
         if first != row:

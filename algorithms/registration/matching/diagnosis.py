@@ -1,4 +1,4 @@
-"""Why the targets of a scan match nothing: the mistakes that surveyors know, tried one by one."""
+"""Why the targets of a scan match nothing: usual mistakes of surveys, tried one by one."""
 
 from dataclasses import replace
 from typing import Optional
@@ -11,7 +11,7 @@ from .solution import Solution
 
 LENGTHS = {"millimetres": 0.001, "centimetres": 0.01, "feet": 0.3048, "inches": 0.0254, "kilometres": 1000.0}
 MIRRORS = (np.array([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), np.diag([1, 1, -1]))
-"""x and y swapped, and upside down; a scan that may take any pose needs only one of them."""
+"""x and y swapped, and upside down; without a level either one stands for all mirror images."""
 
 
 def explain_failure(task: MatchingTask, least: int) -> tuple[str, str]:
@@ -32,15 +32,13 @@ def mirrored_solution(task: MatchingTask, least: int) -> Optional[tuple[str, str
     scan, model = task.scan, task.settings.model
     least = max(least, task.settings.matches.diagnosis.least_targets)
     for mirror in MIRRORS[: 2 if model.levelled else 1]:
-        solutions = task.solutions(
-            scan.xyz @ mirror, model, max(least, task.settings.matches.diagnosis.least_targets)
-        )
+        solutions = task.solutions(scan.xyz @ mirror, model, least)
         if solutions:
             return (
                 "mirrored",
-                f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit the control "
-                "points as in a "
-                "mirror: in one of the two lists x and y are swapped, or an axis points the other way.",
+                f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit the mirror "
+                "image of the control points: in one of the two lists x and y are swapped, or an axis is "
+                "reversed.",
             )
     return None
 
@@ -59,8 +57,7 @@ def _other_unit(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
                 return (
                     "units",
                     f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit if the "
-                    "coordinates of "
-                    f"{what} are {unit}; convert them to metres.",
+                    f"coordinates of {what} are in {unit}; convert them to metres.",
                 )
     return None
 
@@ -86,20 +83,15 @@ def _scaled(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
     if model.scaled:
         return None
     model = Model.LEVELLED_SCALE if model.levelled else Model.SIMILARITY
-    solutions = task.solutions(
-        scan.xyz,
-        model,
-        least,
-        replace(task.control, scale_error=task.settings.matches.tolerances.scale_error),
-    )
+    control = replace(task.control, scale_error=task.settings.matches.tolerances.scale_error)
+    solutions = task.solutions(scan.xyz, model, least, control)
     if not solutions:
         return None
     return (
         "scale",
         f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit with a scale error of "
-        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, as grid coordinates have that are not "
-        "reduced for the "
-        "projection; choose a model with scale.",
+        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, which suggests grid coordinates "
+        "that are not reduced for the projection; choose a model with scale.",
     )
 
 
@@ -124,27 +116,25 @@ def _nothing(task: MatchingTask, least: int) -> tuple[str, str]:
     if task.named:
         return (
             "misfit",
-            f"The targets of {scan.name} do not fit the control points of their names: no {least} of them "
-            "agree "
-            f"within {limit} in their distances; correct the names, or raise SIGMA or TOLERANCE.",
+            f"The targets of {scan.name} do not fit the control points of their names: fewer than "
+            f"{least} of them agree within {limit} in their distances; correct the names, or raise SIGMA or "
+            "TOLERANCE.",
         )
     return (
         "no overlap",
-        f"No {least} of {len(scan.names)} targets of {scan.name} have the distances of control points "
-        f"within {limit} "
-        "(fewer would match by accident); check that the list belongs to this site, pick more targets, or "
-        "raise SIGMA or TOLERANCE.",
+        f"Fewer than {least} of {len(scan.names)} targets of {scan.name} have the distances of control "
+        f"points within {limit}, and so few may match by accident; check that the list belongs to this site, "
+        "pick more targets, or raise SIGMA or TOLERANCE.",
     )
 
 
 def accidental(task: MatchingTask, best: Solution, expected: float) -> tuple[str, str]:
-    """Return status and reason of a scan whose match may be accidental, by a mistake if one explains more."""
+    """Return status and reason of a scan whose match may be accidental; a mistake may explain more."""
     status, reason = explain_failure(task, best.matched)
     if status in ("mirrored", "units", "tilted", "scale"):
         return status, reason
     return (
         "chance",
-        f"{best.matched} of {len(task.scan.names)} targets of {task.scan.name} match, but that "
-        "happens "
-        f"by accident too (expected {expected:.2g} times); pick more targets, or match by names.",
+        f"{best.matched} of {len(task.scan.names)} targets of {task.scan.name} match, but "
+        f"{expected:.2g} accidental matches of as many are expected; pick more targets, or match by names.",
     )

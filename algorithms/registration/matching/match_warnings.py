@@ -14,16 +14,14 @@ def match_warnings(task: MatchingTask, best: Solution) -> tuple[str, ...]:
     warnings = []
     if task.in_one_plane(best):
         warnings.append(
-            f"The matched targets of {scan.name} lie in one plane, so a mirrored list (x and y swapped) "
-            "would fit "
-            "as well; check the position of the scanner in the report."
+            f"The matched targets of {scan.name} lie in one plane, so that a mirrored list (x and y swapped) "
+            "would fit as well; check the position of the scanner in the report."
         )
     tilt = float(np.degrees(np.arccos(np.clip(best.pose.rotation[2, 2], -1.0, 1.0))))
     if tilt > task.settings.matches.decision.least_tilt_deg and not task.free_scale:
         warnings.append(
             f"{scan.name} is tilted by {tilt:.0f} degrees; if the scanner stood upright, the axes of a "
-            "list are "
-            "in another order (z is up)."
+            "list are in another order (z is up)."
         )
     if task.named:
         warnings += _wrong_names(task, best)
@@ -33,7 +31,7 @@ def match_warnings(task: MatchingTask, best: Solution) -> tuple[str, ...]:
 
 
 def _wrong_names(task: MatchingTask, best: Solution) -> list[str]:
-    """Say what the targets are whose names do not fit."""
+    """Return warnings about the targets that do not lie at the control point of their name."""
     scan, network = task.scan, task.network
     placed = best.pose.apply(scan.xyz)
     near = task.settings.matches.tolerances.near_miss_factor * task.control.factor * task.control.sigma
@@ -66,4 +64,4 @@ def _contradicted_names(scan: PointList, network: ControlNetwork, best: Solution
     )
     if not wrong or agreeing < len(wrong):
         return []
-    return [f"By its distances, the names in {scan.name} are wrong: {', '.join(wrong)}."]
+    return [f"According to the distances, these names in {scan.name} are wrong: {', '.join(wrong)}."]

@@ -11,8 +11,6 @@ from .pose_uncertainty import leverage, scale_shift
 from .search_space import SearchSpace
 from .solution import Solution
 
-MOST_CHANGES = 4  # additions and removals for each target, against endless loops
-
 
 def refined(space: SearchSpace, mine: np.ndarray, theirs: np.ndarray) -> Solution:
     """Return the solution that a seed leads to, in the order of the list.
@@ -26,7 +24,7 @@ def refined(space: SearchSpace, mine: np.ndarray, theirs: np.ndarray) -> Solutio
     labels = np.full(len(space.targets), -1)
     labels[mine] = theirs
     barred = np.zeros(labels.shape, bool)
-    for _ in range(MOST_CHANGES * len(labels)):
+    for _ in range(space.settings.matches.search.most_changes * len(labels)):
         added = _added(space, labels, barred)
         removed = None if added else _removed(space, labels)
         if added:

@@ -24,49 +24,72 @@ class Refusal:
 
 def refused_list(task: MatchingTask) -> Optional[Refusal]:
     """Return why no search can succeed, None if one may."""
-    scan, model = task.scan, task.settings.model
-    count = len(scan.names)
-    if count < model.least_targets:
-        return Refusal(
-            "too few",
-            f"{scan.name} has {count} target{'s' * (count != 1)}, but {_described(model)} needs at least "
-            f"{model.least_targets}; pick more targets.",
-        )
+    return (
+        _few_targets(task)
+        or _coincident_targets(task)
+        or _targets_on_a_line(task)
+        or _unknown_names(task)
+        or _many_points(task)
+    )
+
+
+def _few_targets(task: MatchingTask) -> Optional[Refusal]:
+    count, least = len(task.scan.names), task.settings.model.least_targets
+    if count >= least:
+        return None
+    return Refusal(
+        "too few",
+        f"{task.scan.name} has {count} target{'s' * (count != 1)}, but {_described(task.settings.model)} "
+        f"needs at least {least}; pick more targets.",
+    )
+
+
+def _coincident_targets(task: MatchingTask) -> Optional[Refusal]:
+    scan = task.scan
     width = line_width(scan.xyz, task.settings)
-    if not task.free_scale:
-        close = np.argwhere(np.triu(cdist(scan.xyz, scan.xyz) <= width, 1))
-        if len(close):
-            one, other = sorted(
-                (scan.names[number] for number in close[0]), key=lambda name: (len(name), name)
-            )
-            return Refusal(
-                "coincident",
-                f"The targets {one} and {other} of {scan.name} are at the same place; remove one of them.",
-            )
-    if not fixes_pose(scan.xyz, model, width):
-        line = "above each other" if model.levelled else "on a line"
-        return Refusal(
-            "collinear",
-            f"The targets of {scan.name} lie {line}, so the scan can still turn about it; "
-            "pick a target beside it.",
-        )
-    most_points = task.settings.matches.triangles.most_points
-    known = int(task.allowed.any(axis=1).sum())
-    if task.named and known < model.least_targets:
-        return Refusal(
-            "no overlap",
-            f"Of the targets of {scan.name}, {known} have the name of a control point, but "
-            f"{_described(model)} needs at least {model.least_targets}; correct the names, or match by "
-            "distances.",
-        )
-    if task.free_scale and not task.named and len(task.network.points) > most_points:
-        return Refusal(
-            "too many",
-            f"With an unknown scale at most {most_points} control points can be searched, and there are "
-            f"{len(task.network.points)}; shorten the list to the surroundings of {scan.name}, or match "
-            "by names.",
-        )
-    return None
+    close = np.argwhere(np.triu(cdist(scan.xyz, scan.xyz) <= width, 1))
+    if task.free_scale or not len(close):
+        return None
+    one, other = sorted((scan.names[number] for number in close[0]), key=lambda name: (len(name), name))
+    return Refusal(
+        "coincident",
+        f"The targets {one} and {other} of {scan.name} have the same position; remove one of them.",
+    )
+
+
+def _targets_on_a_line(task: MatchingTask) -> Optional[Refusal]:
+    scan, model = task.scan, task.settings.model
+    if fixes_pose(scan.xyz, model, line_width(scan.xyz, task.settings)):
+        return None
+    line = "above each other" if model.levelled else "on a line"
+    return Refusal(
+        "collinear",
+        f"The targets of {scan.name} lie {line}, which leaves the rotation about it unknown; add a target "
+        "beside it.",
+    )
+
+
+def _unknown_names(task: MatchingTask) -> Optional[Refusal]:
+    known, least = int(task.allowed.any(axis=1).sum()), task.settings.model.least_targets
+    if not task.named or known >= least:
+        return None
+    return Refusal(
+        "no overlap",
+        f"Of the targets of {task.scan.name}, {known} have the name of a control point, but "
+        f"{_described(task.settings.model)} needs at least {least}; correct the names, or match by "
+        "distances.",
+    )
+
+
+def _many_points(task: MatchingTask) -> Optional[Refusal]:
+    count, most = len(task.network.points), task.settings.matches.triangles.most_points
+    if not task.free_scale or task.named or count <= most:
+        return None
+    return Refusal(
+        "too many",
+        f"With an unknown scale at most {most} control points can be searched, and there are {count}; "
+        f"shorten the list to the surroundings of {task.scan.name}, or match by names.",
+    )
 
 
 def _described(model: Model) -> str:
@@ -81,15 +104,14 @@ def too_few(task: MatchingTask, accidents: AccidentalMatches) -> Refusal:
     if redundancy <= 0:
         return Refusal(
             "too few",
-            f"{most} matches of {task.scan.name} leave nothing to check them by; pick more targets, or "
-            "match "
-            "by names.",
+            f"{most} matches of {task.scan.name} leave no redundancy to check the solution; pick more "
+            "targets, or match by names.",
         )
     return Refusal(
         "chance",
-        f"{count} targets of {task.scan.name} can be matched with {points} control points by accident "
-        f"(expected {accidents.expected(most, redundancy):.2g} times); pick more targets, shorten the "
-        "control list to the surroundings, or match by names.",
+        f"{count} targets of {task.scan.name} are too few for {points} control points: "
+        f"{accidents.expected(most, redundancy):.2g} accidental matches are expected; pick more targets, "
+        "shorten the control list to the surroundings, or match by names.",
     )
 
 
@@ -98,8 +120,8 @@ def nearly_on_a_line(task: MatchingTask, rotation_std_deg: float) -> Refusal:
     line = "nearly above each other" if task.settings.model.levelled else "nearly on a line"
     return Refusal(
         "collinear",
-        f"The targets of {task.scan.name} that match lie {line}, so the scan may turn about it by "
-        f"{rotation_std_deg:.0f} degrees; pick a target beside it.",
+        f"The matched targets of {task.scan.name} lie {line}, which leaves the rotation about it uncertain "
+        f"by {rotation_std_deg:.0f} degrees; add a target beside it.",
     )
 
 
@@ -117,7 +139,7 @@ def ambiguous(task: MatchingTask, rivals: list[Solution]) -> Refusal:
     more = f"; and {len(rivals) - 4} more" if len(rivals) > 4 else ""
     return Refusal(
         "ambiguous",
-        f"The targets of {task.scan.name} fit the control points in {number} ways that are equally good "
+        f"The targets of {task.scan.name} fit the control points in {number} equally good ways "
         f"({listed}{more}); add a target that breaks the symmetry, or match by names.",
         described,
     )

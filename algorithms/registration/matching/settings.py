@@ -55,6 +55,9 @@ class SearchSettings:
     width_share: float = judged(
         0.3, "If all targets are narrow, a seed may be as narrow as this share of their width."
     )
+    most_changes: int = judged(
+        4, "Each target is added or removed this often at most, which ends a search that alternates."
+    )
     batch_size: int = physical(20_000, "Seeds that are tried at once; their arrays fit into the cache.")
 
 

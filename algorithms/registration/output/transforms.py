@@ -158,7 +158,7 @@ def read_transforms(path: Path) -> Transforms:
     names = [scan.name for scan in scans]
     repeated = next((name for name in names if names.count(name) > 1), None)
     if repeated:
-        raise InputError(f"{path} lists the scan {repeated} twice; remove it once.")
+        raise InputError(f"{path} lists the scan {repeated} twice; remove one entry.")
     return Transforms(path, scans, _read_crs(path, document.get("crs")))
 
 
@@ -198,7 +198,7 @@ def _problem(matrix: np.ndarray) -> str:
     scale = np.cbrt(determinant)
     rotation = matrix[:3, :3] / (scale or 1.0)
     if np.abs(rotation.T @ rotation - np.eye(3)).max() > ORTHOGONAL:
-        return "distorts the scan, for its rotation is not orthogonal"
+        return "distorts the scan because its rotation is not orthogonal"
     return ""
 
 
@@ -231,7 +231,7 @@ def match_clouds(
     warnings: tuple[str, ...] = ()
     if len(clouds) == len(transforms.scans) == 1 and scans[0] is None:
         (only,) = scans = transforms.scans
-        warnings = (f"The only scan in {transforms.path}, {only.name}, is taken for {clouds[0].name}.",)
+        warnings = (f"The only scan in {transforms.path}, {only.name}, is used for {clouds[0].name}.",)
     placed: list[Optional[ScanTransform]] = []
     refused = []
     for cloud, scan in zip(clouds, scans):
@@ -244,7 +244,7 @@ def match_clouds(
         placed.append(scan if scan.matrix is not None else None)
         if scan.matrix is None:
             refused.append(
-                f"{cloud} is left out, for its scan {scan.name} is not registered in {transforms.path} "
+                f"{cloud} is left out because its scan {scan.name} is not registered in {transforms.path} "
                 f"({scan.status}{': ' if scan.reason else ''}{scan.reason.rstrip('.')})."
             )
     if len(refused) == len(clouds):

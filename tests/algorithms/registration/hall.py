@@ -2,6 +2,8 @@
 
 import numpy as np
 from ichnograph.algorithms.registration.lists.point_list import PointList
+from ichnograph.algorithms.registration.registration import register_scans
+from ichnograph.algorithms.registration.settings import Settings
 from scipy.spatial.transform import Rotation
 
 HALL = np.array(
@@ -33,3 +35,26 @@ def scanned(places, heading=40.0, tilt=0.0, station=(3.0, 2.0, 1.6), scale=1.0, 
 def labels(scan):
     """Return target to control of what a scan is registered by."""
     return {item.target: item.control for item in scan.correspondences if item.used}
+
+
+ANNEX = HALL[:6] * [1.1, 0.8, 0.9] + [14.0, 3.0, 0.4]
+TOWER = HALL[2:8] * [0.9, 1.2, 1.3] + [26.0, 5.0, 2.0]
+
+
+def several_scans():
+    """Three scans: one of the surveyed hall and the annex, one of annex and tower, one of the tower only."""
+    place = {"a": np.concatenate([HALL, ANNEX]), "b": np.concatenate([ANNEX, TOWER]), "c": TOWER}
+    return {
+        name: scanned(places, heading=50 + 70 * number, noise=0.001, seed=number)
+        for number, (name, places) in enumerate(place.items())
+    }
+
+
+def register(control, targets, **chosen):
+    """Return the registration of one scan, called scan, to control points P1, P2 and so on."""
+    points = listed("control", control, prefix="P")
+    (scan,) = register_scans(points, [listed("scan", targets)], Settings(**chosen)).scans
+    if not scan.registered:
+        assert scan.matrix is None and scan.reason.endswith(".")
+        assert "scan" in scan.reason
+    return scan

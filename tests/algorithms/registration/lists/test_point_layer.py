@@ -105,7 +105,10 @@ def test_layers_of_anything_else_do_not_count(tmp_path):
         ([((1, 2), {})], "The points of the layer have no heights; give them Z"),
         ([((1, 2), {"z": 3}), ((1, 2), {"z": "low"})], "Feature 2 of the layer has a coordinate"),
         ([((1, 2, 3), {"name": "a"}), ((1, 2, 3), {"name": ""})], "Feature 2 of the layer has no name"),
-        ([((1, 2, 3), {"id": 0}), ((1, 2, 4), {"id": 0})], "The name 0 .* in feature 1 and feature 2"),
+        (
+            [((1, 2, 3), {"id": 0}), ((1, 2, 4), {"id": 0})],
+            "Two points .* called 0, in feature 1 and feature 2",
+        ),
     ],
 )
 def test_features_that_are_no_list_are_refused(features, sentence):

@@ -161,9 +161,9 @@ def test_what_can_be_read_in_two_ways_is_refused(tmp_path, text):
         ("1,5,2,25,3,0\n4,5,5,25,6,5\n", "can be decimal signs or separators"),
         (
             "# a remark\nT1 1.5 2.5 3.5\nT2 4.5 5.5 6.5\n\nT1 1.5 2.5 3.6\n",
-            "The name T1 stands for two points of .*, in line 2 and line 5; rename",
+            "Two points of .* are called T1, in line 2 and line 5; rename",
         ),
-        ("7 1.5 2.5 3.5\n8 4.5 5.5 6.5\n7 1.5 2.5 3.6\n", "The name 7 stands for two points"),
+        ("7 1.5 2.5 3.5\n8 4.5 5.5 6.5\n7 1.5 2.5 3.6\n", "Two points of .* are called 7, in"),
     ],
 )
 def test_what_is_no_list_is_refused_in_one_sentence(tmp_path, content, sentence):

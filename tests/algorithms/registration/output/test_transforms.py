@@ -153,8 +153,8 @@ def changed(row, column, value):
         (changed(0, 3, None), "holds something that is not a number"),
         (changed(3, 0, 1.0), "does not end in the row 0 0 0 1"),
         (np.diag([1.0, 1, -1, 1]).tolist(), "mirrors the scan"),
-        (np.diag([1.0, 1, 1.00001, 1]).tolist(), "distorts the scan, for its rotation is not orthogonal"),
-        (np.diag([0.0, 0, 0, 1]).tolist(), "distorts the scan, for its rotation is not orthogonal"),
+        (np.diag([1.0, 1, 1.00001, 1]).tolist(), "distorts the scan because its rotation is not orthogonal"),
+        (np.diag([0.0, 0, 0, 1]).tolist(), "distorts the scan because its rotation is not orthogonal"),
     ],
 )
 def test_a_matrix_that_is_no_similarity_is_named_with_its_scan(tmp_path, matrix, problem):
@@ -211,7 +211,7 @@ def test_one_cloud_and_one_scan_belong_together_but_it_is_said(tmp_path):
     path = by_hand(tmp_path)
     (scan,), warnings = match_clouds(read_transforms(path), [Path("export 7.laz")])
     assert scan.name == "Hall"
-    assert warnings == (f"The only scan in {path}, Hall, is taken for export 7.laz.",)
+    assert warnings == (f"The only scan in {path}, Hall, is used for export 7.laz.",)
 
 
 def test_a_cloud_without_a_scan_is_told_the_names(written):
@@ -220,7 +220,7 @@ def test_a_cloud_without_a_scan_is_told_the_names(written):
 
 
 def test_a_cloud_whose_scan_is_not_registered_is_told_why(written):
-    told = r"Gärten\.laz is left out, .* not registered in .* \(ambiguous: Two solutions\)\."
+    told = r"Gärten\.laz is left out because .* not registered in .* \(ambiguous: Two solutions\)\."
     with pytest.raises(InputError, match=told):
         match_clouds(read_transforms(written), [Path("Gärten.laz")])
 

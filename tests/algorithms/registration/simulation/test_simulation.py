@@ -1,45 +1,15 @@
 """The simulation: what it draws, what it counts, and what it tells the surveyor."""
 
-import csv
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.algorithms.registration.lists.point_list import PointList
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.registration.simulation.simulation import SUCCESS, simulate
-from ichnograph.algorithms.registration.simulation.simulation_report import write_simulation_report
-from ichnograph.algorithms.registration.simulation.trials import write_trials
+from ichnograph.tests.algorithms.registration.simulation.simulated import FEW, box_at, points
 from ichnograph.tests.scenes.targets import target_scene
-
-FEW = 12
-
-
-def points(xyz, **more):
-    return PointList("hall", tuple(f"P{row}" for row in range(len(xyz))), np.array(xyz, float), **more)
-
-
-def box_at(corner):
-    """Return the corners of a box, which can be laid on itself in four ways."""
-    corners = [(x, y, z) for x in (0, 4) for y in (0, 6) for z in (0, 3)]
-    return np.array(corners) + corner
-
-
-@pytest.fixture(scope="module")
-def building():
-    return target_scene(40, 5, 5, seed=3).control
-
-
-@pytest.fixture(scope="module")
-def found(building):
-    return simulate(building, trials=FEW)
-
-
-@pytest.fixture(scope="module")
-def box():
-    return simulate(points(box_at((500_000, 5_700_000, 100))), targets_per_scan=8, trials=5)
 
 
 def test_irregular_targets_are_all_recognised(found, building):
@@ -121,7 +91,7 @@ def test_points_that_no_scan_reaches_are_told():
     done = simulate(points(xyz), trials=2, reach=100)
 
     assert done.warnings == (
-        "These control points are in no trial, for too few others are within REACH: P12.",
+        "These control points are in no trial because too few others are within REACH: P12.",
     )
 
 
@@ -155,43 +125,3 @@ def test_it_stops_when_the_user_asks_for_it(building):
     with pytest.raises(CancelledError):
         simulate(building, progress=Progress(is_cancelled=lambda: asked.append(1) or len(asked) > 3))
     assert len(asked) == 4
-
-
-def test_the_table_has_a_row_for_each_trial(found, box, tmp_path):
-    write_trials(found, tmp_path / "found.csv")
-    write_trials(box, tmp_path / "box.csv")
-
-    with (tmp_path / "found.csv").open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert [row["trial"] for row in rows] == [str(number) for number in range(1, FEW + 1)]
-    assert [tuple(row["points"].split(";")) for row in rows] == [trial.points for trial in found.trials]
-    assert {(row["outcome"], row["success"], row["wrong"]) for row in rows} == {(SUCCESS, "1", "0")}
-    assert float(rows[0]["shift_error"]) == pytest.approx(found.trials[0].shift_error, abs=1e-6)
-    with (tmp_path / "box.csv").open(encoding="utf-8", newline="") as file:
-        refused = next(csv.DictReader(file))
-    assert (refused["outcome"], refused["success"], refused["sigma0"]) == ("ambiguous", "0", "")
-
-
-def test_the_report_names_failures_and_ambiguous_points(box, tmp_path):
-    write_simulation_report(box, tmp_path / "box.html")
-
-    page = (tmp_path / "box.html").read_text(encoding="utf-8")
-    for words in (
-        "In 0 of 5 trials (0.0%) all 8 targets",
-        "ambiguous",
-        "Points confused with each other",
-        "P7",
-    ):
-        assert words in page
-    assert "Errors of the transformations" not in page
-
-
-def test_the_report_of_a_good_layout_has_errors_and_no_failures(found, tmp_path):
-    write_simulation_report(found, tmp_path / "found.html")
-
-    page = (tmp_path / "found.html").read_text(encoding="utf-8")
-    assert "(100.0%)" in page
-    assert "No control points were confused with each other." in page
-    assert "Errors of the transformations" in page
-    assert "Failures" not in page
-    assert "nan" not in page
