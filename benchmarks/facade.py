@@ -94,8 +94,8 @@ def _each(judgement: Judgement) -> Iterator[str]:
     """Yield a line for each detail: the errors of its edges and their standard deviations, in millimetres."""
     for pair in judgement.pairs:
         edges, stds = 1000 * pair.edges, pair.found.edges
-        said = 1000 * np.array([stds.left, stds.bottom, stds.right, stds.top])
-        sides = "  ".join(f"{error:+6.1f} ({std:4.1f})" for error, std in zip(edges, said))
+        deviations = 1000 * np.array([stds.left, stds.bottom, stds.right, stds.top])
+        sides = "  ".join(f"{error:+6.1f} ({std:4.1f})" for error, std in zip(edges, deviations))
         yield f"  {pair.found.number:3d} {pair.true.kind:16s} {pair.found.shape:9s} {sides}"
     for true in judgement.missed:
         yield f"  missed {true.kind} at {true.outline.centroid.x:.2f}, {true.outline.centroid.y:.2f}"
