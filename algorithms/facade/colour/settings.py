@@ -56,9 +56,13 @@ class MixedSettings:
     core_spacings: float = judged(
         10.0, "Points from the band to here show the pure colours of the two sides."
     )
-    beam_m: float = physical(0.01, "A band is at least this wide; laser beams are rarely wider.")
+    beam_m: float = physical(
+        0.01, "The band of mixed points at a border is at least this wide; laser beams are rarely wider."
+    )
     rounds: int = judged(5, "A border is divided this often at most; it ends when nothing changes.")
-    compared: int = judged(24, "Points on either side that a point at the border is compared with.")
+    compared: int = judged(
+        24, "Points on either side with which a point at the border is compared; fewer are too noisy."
+    )
 
 
 @dataclass(frozen=True)
