@@ -29,6 +29,7 @@ class IntensitySettings:
     cell_m: float = judged(0.2, "Side of the squares whose median intensities the trend is fitted to.")
     fewest_points: int = judged(5, "Squares with fewer points have no reliable median.")
     fewest_cells: int = judged(30, "A scan in fewer squares has one level; its trend has 6 coefficients.")
+    rounds: int = judged(10, "Rounds of the robust fit of the trend; its weights change little after them.")
     least_trend: float = judged(
         0.1,
         "The trend may not fall below this part of the level, or its sign could change beyond its squares.",

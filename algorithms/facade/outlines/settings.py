@@ -61,6 +61,7 @@ class HoleSettings:
 class ShapeSettings:
     """Rectangles and arches, and the standard deviations of their sides."""
 
+    rounds: int = judged(8, "Rounds of a robust fit, and of moving the sides of a shape to the border.")
     corner_gaps: float = judged(
         2.0, "Nearer to a corner than this many gaps, the border is rounded and belongs to no side."
     )
