@@ -7,6 +7,9 @@ import numpy as np
 MAD_TO_SIGMA = 1.4826
 """A normal deviate's standard deviation in units of its median absolute deviation."""
 
+EFFICIENT_CUT = 4.685
+"""The cut of Tukey's biweight that is 95 % efficient for normal residuals, in standard deviations."""
+
 
 def sigma_about_median(values: np.ndarray, axis: Optional[int] = None) -> np.ndarray:
     """Return the standard deviation of values about their median, by the median absolute deviation."""

@@ -1,5 +1,7 @@
 """The algorithm `facadedetails`."""
 
+from typing import Any
+
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS, CRS, open_site
@@ -81,7 +83,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         ("WALL_AREA", "Area of the wall without openings and recesses (m2)"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Measure the facade."""
         from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing

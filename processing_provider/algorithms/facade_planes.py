@@ -1,5 +1,7 @@
 """The algorithm `facadeplanes`."""
 
+from typing import Any
+
 import numpy as np
 
 from ..algorithm import Algorithm, Outcome
@@ -52,7 +54,7 @@ class FacadePlanesAlgorithm(Algorithm):
     )
     numbers = (("PLANE_COUNT", "Number of planes"),)
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Find the planes; the points are copied when the file is written."""
         from ...algorithms.clouds.writing.labelling import write_labelled
         from ...algorithms.facade.output.plane_layers import write_planes

@@ -7,14 +7,10 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from ...geometry.circles import fit_circle_on_axis
-from ...geometry.robust import sigma_about_median, sigma_of_residuals, tukey_weights
+from ...geometry.robust import EFFICIENT_CUT, sigma_about_median, sigma_of_residuals, tukey_weights
 from ..elevation import ARCH, FREE, RECTANGLE, Edges
 from .border import Border
 from .settings import OutlineSettings, ShapeSettings
-
-ROUNDS = 8
-CUT = 4.685
-"""Of Tukey's biweight, in standard deviations."""
 
 ARC_POINTS = 49
 """Corners of the polygon that represents an arch."""
@@ -122,7 +118,7 @@ def _candidates(border: Border, settings: OutlineSettings) -> list[tuple[str, _S
 
 def _fit_rectangle(border: Border, settings: ShapeSettings) -> _Sides:
     sides = _Sides(*border.ring.bounds)
-    for _ in range(ROUNDS):
+    for _ in range(settings.rounds):
         sides = _moved(sides, border, settings)
     return sides
 
@@ -133,7 +129,7 @@ def _moved(sides: _Sides, border: Border, settings: ShapeSettings) -> _Sides:
     u, v = border.crossings.T
     old = (sides.left, sides.bottom, sides.right, sides.top)
     left, bottom, right, top = (
-        _location(values[nearest == side], position)
+        _location(values[nearest == side], position, settings.rounds)
         for side, (values, position) in enumerate(zip((u, v, u, v), old))
     )
     return _Sides(left, bottom, right, top if sides.arc is None else sides.top, sides.arc)
@@ -153,14 +149,14 @@ def _assign(sides: _Sides, border: Border, settings: ShapeSettings) -> tuple[np.
     return np.where(second < settings.corner_gaps * border.gaps, -1, nearest), own
 
 
-def _location(values: np.ndarray, fallback: float) -> float:
-    """Return a robust mean of values, by Tukey's biweight; `fallback` if there are none."""
+def _location(values: np.ndarray, fallback: float, rounds: int) -> float:
+    """Return a robust mean of values, by Tukey's biweight; `fallback` without values."""
     if not len(values):
         return fallback
     middle = float(np.median(values))
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         scale = max(sigma_of_residuals(values - middle), 1e-4)
-        weights = tukey_weights(values - middle, scale, CUT)
+        weights = tukey_weights(values - middle, scale, EFFICIENT_CUT)
         middle = float(np.average(values, weights=weights))
     return middle
 
@@ -176,13 +172,14 @@ def _fit_arch(border: Border, rectangle: _Sides, settings: OutlineSettings) -> O
     top = border.ring.bounds[3]
     arc = _Arc(top - half, half)
     sides = _Sides(rectangle.left, rectangle.bottom, rectangle.right, top, arc)
-    for _ in range(ROUNDS):
+    for _ in range(settings.shapes.rounds):
         sides = _moved(sides, border, settings.shapes)
         half, middle = 0.5 * (sides.right - sides.left), 0.5 * (sides.left + sides.right)
         upper = border.crossings[border.crossings[:, 1] > sides.springing + corner]
         if len(upper) < 3:
             return None
-        crown = _location(upper[np.abs(upper[:, 0] - middle) < 0.1 * half, 1], top)
+        amid = np.abs(upper[:, 0] - middle) < 0.1 * half
+        crown = _location(upper[amid, 1], top, settings.shapes.rounds)
         start = np.array([arc.centre, max(arc.radius, half)])
         centre, radius = fit_circle_on_axis(upper, middle, start, settings.noise_m)
         if radius < half:
