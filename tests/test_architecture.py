@@ -230,6 +230,16 @@ def anchors(path):
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_every_file_that_a_page_names_exists(page):
+    named = re.findall(
+        r"`((?:algorithms|processing_provider|tests|benchmarks|scripts)/[\w/.]+)`", text_of(page)
+    )
+    missing = [name for name in named if not (ROOT / name.rstrip("/.")).exists()]
+
+    assert not missing, f"{page} names files that do not exist"
+
+
 def test_every_page_can_be_reached_from_the_index():
     index = text_of("docs/index.md")
     pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"index.md"}
