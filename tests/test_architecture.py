@@ -21,7 +21,7 @@ UNTESTED = {
 }
 """Modules without a test file of their name, and why they need none."""
 
-UNFINISHED = {*CHAPTERS, *SHARED}
+UNFINISHED = {"clouds", "registration", "site_plan", "evaluation", "geometry"}
 """Packages whose tests do not mirror their modules yet."""
 
 
