@@ -3,7 +3,7 @@
 make facade, or: python3 -m ichnograph.benchmarks.facade [--spacing 0.005 0.01 0.02] [--seeds 3]
 
 Prints what was found, missed and invented, how well the outlines agree, the errors of widths and heights,
-and whether the standard deviations tell them. Leaves pictures in build/facade.
+and whether the standard deviations predict them. Leaves pictures in build/facade.
 """
 
 import argparse
@@ -24,7 +24,7 @@ SPACINGS = (0.005, 0.01, 0.02)
 
 
 def points_of(scan: FacadeScan) -> Points:
-    """Return a scan as the core takes it."""
+    """Return a scan as points for the core."""
     origin = np.floor(scan.points.min(axis=0))
     return Points(
         scan.points - origin,
@@ -52,13 +52,14 @@ def draw(scene: FacadeScene, elevation: Elevation, judgement: Judgement, points:
     figure = Figure((14, 10))
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
+    assert points.rgb is not None
     rows = elevation.rows[:: max(len(elevation.rows) // 300_000, 1)]
     uvw = scene.frame.local(points.xyz[rows], points.origin)
     axes.scatter(*uvw[:, :2].T, s=0.2, c=points.rgb[rows] / 255, linewidths=0)
     for part in elevation.wall.geoms:
         axes.plot(*in_scene(part, elevation, scene).exterior.xy, color="magenta", linewidth=0.6)
-    for place in elevation.unseen:
-        axes.plot(*in_scene(place, elevation, scene).exterior.xy, color="black", linestyle=":")
+    for part in elevation.unseen:
+        axes.plot(*in_scene(part, elevation, scene).exterior.xy, color="black", linestyle=":")
     for true in scene.details:
         axes.plot(*true.outline.exterior.xy, color="lime", linewidth=1.2)
     for detail in elevation.details:
@@ -90,7 +91,7 @@ def _row(label: str, judgements: list[Judgement]) -> str:
 
 
 def _each(judgement: Judgement) -> Iterator[str]:
-    """Yield a line for each detail: its errors in millimetres, and what they were said to be."""
+    """Yield a line for each detail: the errors of its edges and their standard deviations, in millimetres."""
     for pair in judgement.pairs:
         edges, stds = 1000 * pair.edges, pair.found.edges
         said = 1000 * np.array([stds.left, stds.bottom, stds.right, stds.top])

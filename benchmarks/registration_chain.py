@@ -68,9 +68,9 @@ def _in_one_block(chain: TargetChain, settings: Settings) -> list[tuple[float, f
 
 
 def _compared(
-    place: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
+    position: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
 ) -> tuple[float, float]:
-    error = place - chain.places[chain.scans[-1].name][target]
+    error = position - chain.places[chain.scans[-1].name][target]
     return float(np.sqrt(error @ np.linalg.solve(covariance, error) / 3)), float(np.linalg.norm(error))
 
 
