@@ -24,7 +24,7 @@ SPACINGS = (0.005, 0.01, 0.02)
 
 
 def points_of(scan: FacadeScan) -> Points:
-    """Return a scan as the core takes it."""
+    """Return a scan as points for the core."""
     origin = np.floor(scan.points.min(axis=0))
     return Points(
         scan.points - origin,

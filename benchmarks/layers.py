@@ -1,4 +1,4 @@
-"""The layers of a site plan in a folder, for the commands of this one."""
+"""The layers of a site plan in a folder, for the other benchmarks."""
 
 from pathlib import Path
 

@@ -1,9 +1,9 @@
-"""How good plans are over random scenes, turns and shifts: the worst of them, and the median in brackets.
+"""How good plans are over random scenes, rotations and shifts: the worst, and the median in brackets.
 
 make plan, or: python3 -m ichnograph.benchmarks.plan [--scene yard] [--variant full] [--seeds 3]
 
-Every scene is simulated with so many seeds, turned and shifted at random, and scanned as each
-variant says. The columns are explained in docs/accuracy.md.
+Every scene is simulated with several seeds, rotated and shifted at random, and scanned in each
+variant. The columns are explained in docs/accuracy.md.
 """
 
 import argparse
@@ -40,12 +40,12 @@ SEARCH = 0.20
 CHAINS = ("default", "REFINE=no")
 
 VARIANTS = ("full", "quarter", "noise", "stations")
-"""All points; a quarter of them; 10 mm of range noise; two stations less."""
+"""All points; a quarter of them; 10 mm of range noise; two stations fewer."""
 
 
 @dataclass(frozen=True)
 class Quality:
-    """How good one plan is; lengths in metres, nan where there is nothing to measure.
+    """How good one plan is; lengths in metres, nan if there is nothing to measure.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Quality:
     room_area : float
         Largest error of the area of a room, as a share of it; a room that is lost counts 1.
     phantom : float
-        Length of the longest wall that is none.
+        Length of the longest piece of wall where there is no wall.
     """
 
     completeness: float
@@ -81,11 +81,11 @@ COLUMNS = {
     "room_area": ("room area (%)", 100, "{:.2f}", max),
     "phantom": ("phantom (m)", 1, "{:.1f}", max),
 }
-"""Heading, factor, format, and what is the worst, of each measure."""
+"""Heading, factor and format of each measure, and the function that gives the worst value."""
 
 
 def placed(name: str, seed: int) -> Scene:
-    """Return a scene, turned and shifted at random on a national grid."""
+    """Return a scene, rotated and shifted at random on a national grid."""
     random = np.random.default_rng([seed, 2012])
     shift = (*random.uniform((3e5, 5.2e6), (7e5, 6.1e6)), random.uniform(-50, 900))
     return SCENES[name](seed).moved(random.uniform(0, 360), shift)

@@ -31,7 +31,7 @@ UP_IS_Y = ("indoor",)
 
 
 def scans(folder: Path, work: Path) -> list[tuple[str, Path]]:
-    """Return names and clouds; those in another frame or packing are written anew in `work`."""
+    """Return names and clouds; those in another frame or compressed ones are rewritten in `work`."""
     found = [(path.stem, path) for path in sorted(folder.rglob("*")) if path.suffix.lower() in SCANS]
     ready = [(name, path if name not in UP_IS_Y else upright(path, work)) for name, path in found]
     for packed in sorted(folder.rglob("*.pts.gz")):
@@ -88,7 +88,7 @@ def main() -> None:
         pixels = arguments.out / f"{name}_pixels_walls.shp"
         write_walls(pixels, replace(plan, walls=plan.pixel_walls))
         draw(density, walls, arguments.out / f"{name}.png", before=pixels)
-        # A missing coordinate reference system is no news here.
+        # These clouds have no coordinate reference system.
         remarks = " ".join(warning for warning in plan.warnings if "reference system" not in warning)
         print(
             f"| {name} | {plan.density.points_in} | {len(plan.walls)} | {plan.length:.1f} "

@@ -42,7 +42,7 @@ TITLES = {
     ROOT_MODULES: "modules of algorithms, which all may import",
 }
 
-WIDTH = 0.083
+WIDTH = 0.1
 """Of a letter, about; names are wrapped by it in wide boxes."""
 
 

@@ -21,7 +21,7 @@ UNTESTED = {
 }
 """Modules without a test file of their name, and why they need none."""
 
-UNFINISHED = {*CHAPTERS, *SHARED}
+UNFINISHED = {"clouds", "registration", "site_plan", "evaluation", "geometry"}
 """Packages whose tests do not mirror their modules yet."""
 
 
@@ -228,6 +228,16 @@ def anchors(path):
     """Return the anchors that GitHub gives to the headings of a page."""
     headings = re.findall(r"(?m)^#+ (.+)$", path.read_text(encoding="utf-8"))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_every_file_that_a_page_names_exists(page):
+    named = re.findall(
+        r"`((?:algorithms|processing_provider|tests|benchmarks|scripts)/[\w/.]+)`", text_of(page)
+    )
+    missing = [name for name in named if not (ROOT / name.rstrip("/.")).exists()]
+
+    assert not missing, f"{page} names files that do not exist"
 
 
 def test_every_page_can_be_reached_from_the_index():
