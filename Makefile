@@ -1,6 +1,7 @@
 # The Python of QGIS, which is the distribution's.
 PYTHON ?= /usr/bin/python3
-TOOLS = ruff==0.17.* bandit==1.* detect-secrets==1.5.*
+# The last mypy that checks against Python 3.9.
+TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.*
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
@@ -11,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade facade-peers
+.PHONY: facade facade-peers constants house house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -66,9 +67,10 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, make the
 test: setup lint  ## Check the style and run all tests
 	$(RUN) -m pytest
 
-lint: .tools/installed  ## Check style and security as the plugin repository does
+lint: .tools/installed .plugins/ichnograph  ## Check style, types, and security as the plugin repository does
 	.tools/bin/ruff check
 	.tools/bin/ruff format --check
+	.tools/bin/mypy
 	.tools/bin/bandit -q -r algorithms processing_provider plugin.py __init__.py
 	@# Files that are staged to be deleted are listed, but gone.
 	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook
@@ -121,6 +123,15 @@ facade: setup  ## Print how well the details of simulated facades are measured
 
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
+
+constants: setup  ## Write docs/constants.md, the page of all constants with their reasons
+	$(RUN) -m ichnograph.scripts.constants_page
+
+house: setup .tools/installed  ## Print how the code is divided: files, functions, imports, types, constants
+	$(RUN) -m ichnograph.scripts.house_figures
+
+house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
+	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg
 
 package:  ## Zip the last commit as QGIS installs it
 	@mkdir -p build

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, TableDestination
-from ..parameters.parameter import TableFile
+from ..parameters.files import TableFile
 
 
 class CompareLengthsAlgorithm(Algorithm):

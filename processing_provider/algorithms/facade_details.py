@@ -11,9 +11,6 @@ from ..parameters.destinations import (
 )
 from ..parameters.facade import FILL_HOLES, PIXEL_SIZE, SETTINGS
 
-MOST_POINTS = 6_000_000
-"""More are thinned, for a triangulation of them takes more memory than most computers have."""
-
 
 class FacadeDetailsAlgorithm(Algorithm):
     """Measure the details of a facade."""
@@ -21,13 +18,12 @@ class FacadeDetailsAlgorithm(Algorithm):
     key = "facadedetails"
     title = "Details of a facade"
     chapter = "Facade"
-    summary = "Turns a coloured scan of a facade into an elevation: openings, recesses and details, measured."
+    summary = "Measures openings, recesses, projections and coloured details of a scanned facade."
     about = (
-        "The main plane of the facade is found, its coplanar details by colour and intensity, its openings "
-        "and recesses by what lies behind it, its projections by what lies before it. Outlines are the mean "
-        "of both sides of a border, with standard deviations. INPUT is all it needs; without colour, "
-        "openings, recesses and projections remain (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal "
-        "2014)."
+        "Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses "
+        "by the points behind the wall; projections by the planes in front of it. An outline is the mean of "
+        "both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, "
+        "recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014)."
     )
     words = (
         "facade",
@@ -49,7 +45,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         RasterDestination(
             "ORTHOIMAGE",
             "Orthoimage",
-            "GeoTIFF in u, v: the colours of the facade from straight before it, or its intensity.",
+            "GeoTIFF in u, v: the colours of the facade projected onto its plane, or its intensity.",
             style=None,
             optional=True,
         ),
@@ -63,7 +59,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         PolygonDestination(
             "ELEVATION",
             "Elevation",
-            "Polygons in u (right) and v (up), in metres: the wall, its details, and places that were not "
+            "Polygons in u (right) and v (up), in metres: the wall, its details, and areas that were not "
             "seen.",
             style="elevation",
         ),
@@ -87,18 +83,18 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict, log: Log) -> Outcome:
         """Measure the facade."""
-        from ...algorithms.facade.facade import measure_facade
+        from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing
         from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
         from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
         from ...algorithms.facade.output.schedule import write_schedule
-        from ...algorithms.facade.planes.facade_points import read_points
-        from ...algorithms.facade.settings import Settings
+        from ...algorithms.facade.points import read_points
+        from ...algorithms.facade.settings import FacadeSettings
 
-        settings = Settings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
+        settings = FacadeSettings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
         cloud = open_site(values)
         log.warn(cloud.warnings)
-        points = read_points(cloud, log.progress.part(0.0, 0.2), MOST_POINTS)
+        points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
         elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
@@ -108,7 +104,7 @@ class FacadeDetailsAlgorithm(Algorithm):
                 "ELEVATION": lambda path: write_elevation(path, elevation),
                 "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
                 "ORTHOIMAGE": lambda path: write_orthoimage(
-                    path, points, elevation, pixel_size, values["FILL_HOLES"]
+                    path, points, elevation, pixel_size, values["FILL_HOLES"], settings.orthoimage
                 ),
                 "SCHEDULE": lambda path: write_schedule(path, elevation),
                 "DRAWING": lambda path: write_drawing(path, elevation),

@@ -1,7 +1,5 @@
 """The algorithm `facadeplanes`."""
 
-from functools import partial
-
 import numpy as np
 
 from ..algorithm import Algorithm, Outcome
@@ -19,10 +17,10 @@ class FacadePlanesAlgorithm(Algorithm):
     chapter = "Facade"
     summary = "Finds the main plane of a facade and the secondary planes on it."
     about = (
-        "RANSAC finds the largest upright plane of the scan, which sets the facade apart from street, trees "
-        "and side walls, and then the planes on it: recessed doors and windows, cornices, bays. Each is "
-        "refitted by total least squares, and every point belongs to the nearest within DISTANCE "
-        "(Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014)."
+        "RANSAC finds the largest upright plane of the scan, the facade without street, trees and side "
+        "walls, and then the planes on it: recessed doors and windows, cornices, bays. Each plane is fitted "
+        "by total least squares. Every point belongs to the nearest plane within DISTANCE (Aitelkadi, "
+        "Tahiri, Simonetto, Sebari and Boulaassal 2014)."
     )
     words = (
         "facade",
@@ -41,14 +39,14 @@ class FacadePlanesAlgorithm(Algorithm):
             "PLANES",
             "Planes",
             "Polygons in space with normal, distance from the origin, azimuth, tilt, rms, number of points "
-            "and area, for the area of an upright polygon is 0 in a map.",
+            "and true area, because GIS computes an area of 0 for an upright polygon.",
             style="facade_planes",
         ),
         CloudDestination(
             "SEGMENTS",
             "Points with the number of their plane",
-            "The cloud with all its attributes and the attribute plane, 0 for points of none. LAZ, LAS or "
-            "text.",
+            "The cloud with all its attributes and the attribute plane, 0 for points outside all planes. "
+            "LAZ, LAS or text.",
             optional=True,
         ),
     )
@@ -58,30 +56,24 @@ class FacadePlanesAlgorithm(Algorithm):
         """Find the planes; the points are copied when the file is written."""
         from ...algorithms.clouds.writing.labelling import write_labelled
         from ...algorithms.facade.output.plane_layers import write_planes
-        from ...algorithms.facade.planes.facade_points import read_points
-        from ...algorithms.facade.planes.planes import find_planes
+        from ...algorithms.facade.planes.segmentation import find_planes
+        from ...algorithms.facade.planes.settings import PlaneSettings
+        from ...algorithms.facade.points import read_points
 
         cloud = open_site(values)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.4))
-        found = find_planes(
-            points,
-            values["DISTANCE"],
-            values["MIN_POINTS"],
-            values["MAX_PLANES"],
-            log.progress.part(0.4, 0.8),
-        )
+        settings = PlaneSettings(min_points=values["MIN_POINTS"], max_planes=values["MAX_PLANES"])
+        found = find_planes(points, values["DISTANCE"], settings, log.progress.part(0.4, 0.8))
         for number, plane in enumerate(found.planes, start=1):
             log.info(f"Plane {number}: {plane.points} points, rms {1000 * plane.rms:.1f} mm.")
         numbers = np.maximum(found.labels, 0).astype(np.uint16)
         return Outcome(
             {
                 "PLANES": lambda path: write_planes(path, points, found, values["DISTANCE"], cloud.crs),
-                "SEGMENTS": partial(_write_segments, write_labelled, cloud, numbers, log),
+                "SEGMENTS": lambda path: write_labelled(
+                    cloud, "plane", numbers, path, log.progress.part(0.8, 1.0)
+                ),
             },
             {"PLANE_COUNT": len(found.planes)},
         )
-
-
-def _write_segments(write, cloud, numbers, log: Log, path) -> None:
-    write(cloud, "plane", numbers, path, log.progress.part(0.8, 1.0))

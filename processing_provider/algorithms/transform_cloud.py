@@ -6,20 +6,20 @@ from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS
 from ..parameters.destinations import FolderDestination
-from ..parameters.parameter import JsonFile
+from ..parameters.files import JsonFile
 
 
 class TransformCloudAlgorithm(Algorithm):
-    """Move clouds to where a registration puts them."""
+    """Move clouds by the transformations of a registration."""
 
     key = "transformcloud"
     title = "Transform laser scans"
     chapter = "Clouds"
     summary = "Moves each scan to the control points by the transformation that registerscans found for it."
     about = (
-        "Every cloud is moved by the transformation of the scan of its name, and written to the folder under "
-        "the same name, to a tenth of a millimetre. All attributes stay, normals turn along, and the "
-        "coordinate reference system of the control points is set."
+        "Each cloud is moved by the transformation of the scan with the same name, and written to the folder "
+        "under that name, to a tenth of a millimetre. It keeps all attributes, its normals are rotated, and "
+        "it gets the coordinate reference system of the control points."
     )
     words = ("transform", "register", "georeference", "rotate", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (
@@ -27,14 +27,14 @@ class TransformCloudAlgorithm(Algorithm):
         JsonFile(
             "TRANSFORMS",
             "Transformations",
-            "The json file that registerscans writes, or one by hand with the name and matrix of each scan.",
+            "The json file that registerscans writes, or your own with the name and matrix of each scan.",
         ),
     )
     destinations = (
         FolderDestination(
             "OUTPUT_FOLDER",
             "Transformed clouds",
-            "Folder for one cloud per scan. LAS, LAZ and text stay what they are; all else becomes LAZ.",
+            "Folder for one cloud per scan. LAS, LAZ and text keep their format; all others become LAZ.",
             listing="CLOUDS",
         ),
     )
@@ -46,7 +46,11 @@ class TransformCloudAlgorithm(Algorithm):
     def compute(self, values: dict, log: Log) -> Outcome:
         """Find the transformation of each cloud; the points are moved when the files are written."""
         from ...algorithms.clouds.cloud import open_sources, parts
-        from ...algorithms.clouds.writing.transformation import transform_cloud, transformed_names
+        from ...algorithms.clouds.writing.transformation import (
+            transform_cloud,
+            transformed_names,
+            unit_warnings,
+        )
         from ...algorithms.registration.output.transforms import match_clouds, read_transforms
 
         transforms = read_transforms(values["TRANSFORMS"])
@@ -55,9 +59,10 @@ class TransformCloudAlgorithm(Algorithm):
         log.warn(warnings)
         sources = tuple(source for source, scan in zip(sources, scans) if scan)
         scans = tuple(scan for scan in scans if scan)
+        log.warn(unit_warnings(sources))
         if transforms.crs is None:
             log.warn(
-                [f"{transforms.path} names no coordinate reference system, so the results have none either."]
+                [f"{transforms.path} states no coordinate reference system, so the results have none either."]
             )
         numbers = {"SCANS_TRANSFORMED": len(scans), "POINTS": 0}
 

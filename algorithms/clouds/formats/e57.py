@@ -7,19 +7,18 @@ from pathlib import Path
 from typing import Any, Optional
 
 import numpy as np
-from rasterio.crs import CRS
 from scipy.spatial.transform import Rotation
 
-from ... import reference_systems
 from ...errors import InputError, MissingPackageError
 from ...geometry.motion import product
 from ...progress import Progress
+from ...reference_systems import parse_wkt
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
+from . import E57_PACKAGES
 from .normals import find_normals
+from .stated_crs import read_crs
 from .value_ranges import to_uint16
-
-PACKAGES = ("pye57", "pyquaternion")
-SAMPLE = 10_000
 
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
@@ -35,7 +34,7 @@ class Scan:
     Attributes
     ----------
     number : int
-        Its place in the file, from 0.
+        Its position in the file, from 0.
     count : int
         Number of points, also of invalid ones.
     fields : tuple of str
@@ -76,15 +75,15 @@ class E57Source(Source):
     scans: tuple[Scan, ...]
 
     @classmethod
-    def open(cls, path: Path) -> "E57Source":
-        """Look into the headers and the first points of `path`.
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "E57Source":
+        """Examine the headers and the first points of `path`.
 
         Raises
         ------
         MissingPackageError
             If pye57 is not installed.
         InputError
-            If the file is no E57, is damaged or holds no points.
+            If the file is not an E57, is damaged or holds no points.
         """
         with _image(path) as (library, image):
             root = image.root()
@@ -92,11 +91,13 @@ class E57Source(Source):
             scans = tuple(_scan(library, path, nodes[number], number) for number in range(len(nodes)))
             wkt = root["coordinateMetadata"].value() if root.isDefined("coordinateMetadata") else ""
         scans = tuple(scan for scan in scans if scan.count)
-        blocks = (_places(data, scan) for scan in scans for data in _blocks(path, scan, SAMPLE))
+        blocks = (
+            _positions(data, scan) for scan in scans for data in _blocks(path, scan, settings.sample_points)
+        )
         sample = next((points for points in blocks if len(points)), None)
         if sample is None:
             raise no_points(path)
-        crs, warnings = _read_crs(path, wkt)
+        crs, warnings = read_crs(path, lambda: parse_wkt(wkt) if wkt.strip() else None)
         return cls(
             path=path,
             crs=crs,
@@ -123,9 +124,9 @@ class E57Source(Source):
         for scan in self.scans:
             left = scan.count
             for data in _blocks(self.path, scan, size):
-                places = _places(data, scan)
-                if len(places):
-                    yield self._chunk(data, scan, places - origin)
+                positions = _positions(data, scan)
+                if len(positions):
+                    yield self._chunk(data, scan, positions - origin)
                 left = max(left - size, 0)
                 progress.update((done + scan.count - left) / total)
             done += scan.count
@@ -136,10 +137,10 @@ class E57Source(Source):
         intensity = to_uint16((data["intensity"] + summand) * factor) if "intensity" in data else none
         rgb = np.stack([data.get(name, none) for name in COLOUR], axis=1) * scan.rgb_factor
         attributes = {name: data.get(name, none) for name, _ in self.attributes}
-        normals = [list(attributes)[place] for place in find_normals(list(attributes)) or ()]
+        normals = [list(attributes)[index] for index in find_normals(list(attributes)) or ()]
         if normals:
-            turned = product(np.stack([attributes[name] for name in normals], axis=1), scan.rotation)
-            attributes.update(zip(normals, turned.T))
+            rotated = product(np.stack([attributes[name] for name in normals], axis=1), scan.rotation)
+            attributes.update(zip(normals, rotated.T))
         return Chunk(
             xyz,
             intensity.astype(np.uint16) if self.has_intensity else None,
@@ -155,7 +156,7 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
     try:
         from pye57 import libe57
     except ModuleNotFoundError as error:
-        raise MissingPackageError(str(path), PACKAGES) from error
+        raise MissingPackageError(str(path), E57_PACKAGES) from error
     try:
         with path.open("rb") as stream:
             if stream.read(8) != b"ASTM-E57":
@@ -177,14 +178,14 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
 def _scan(library: Any, path: Path, node: Any, number: int) -> Scan:
     points = node["points"]
     prototype = library.StructureNode(points.prototype())
-    names = [prototype.get(place).elementName() for place in range(prototype.childCount())]
-    places = next((fields for fields in (CARTESIAN, SPHERICAL) if set(fields) <= set(names)), None)
-    if places is None:
+    names = [prototype.get(index).elementName() for index in range(prototype.childCount())]
+    coordinates = next((fields for fields in (CARTESIAN, SPHERICAL) if set(fields) <= set(names)), None)
+    if coordinates is None:
         raise InputError(f"{path} has a scan without coordinates; export it again.")
     kinds = {name: _kind(library, prototype[name]) for name in names}
     known = {*CARTESIAN, *SPHERICAL, *INVALID, *COLOUR, "intensity"}
     others = {name: kind for name, kind in kinds.items() if name not in known and kind is not None}
-    read = {*places, *INVALID, *COLOUR, "intensity", *others}
+    read = {*coordinates, *INVALID, *COLOUR, "intensity", *others}
     return Scan(
         number=number,
         count=points.childCount(),
@@ -198,7 +199,7 @@ def _scan(library: Any, path: Path, node: Any, number: int) -> Scan:
 
 
 def _kind(library: Any, field: Any) -> Optional[np.dtype]:
-    """Return the type for the values of a field of the prototype; None if they are no numbers."""
+    """Return the type for the values of a field of the prototype; None if they are not numbers."""
     if isinstance(field, library.IntegerNode):
         return np.promote_types(np.min_scalar_type(field.minimum()), np.min_scalar_type(field.maximum()))
     return np.dtype(np.float64) if isinstance(field, (library.ScaledIntegerNode, library.FloatNode)) else None
@@ -228,11 +229,13 @@ def _limits(node: Any, prototype: Any, name: str) -> tuple[float, float]:
     if all(node.isDefined(end) for end in ends):
         low, high = (_value(node[end]) for end in ends)
         return low, high
-    field = prototype[name] if prototype.isDefined(name) else None
+    if not prototype.isDefined(name):
+        return 0.0, 1.0
+    field = prototype[name]
     if hasattr(field, "scaledMaximum"):
         return field.scaledMinimum(), field.scaledMaximum()
-    # A number without limits of its own has those of its type, which tell nothing.
-    narrow = field is not None and field.minimum() > -1e9 and field.maximum() < 1e9
+    # A number without limits of its own has those of its type, which say nothing about its range.
+    narrow = field.minimum() > -1e9 and field.maximum() < 1e9
     return (field.minimum(), field.maximum()) if narrow else (0.0, 1.0)
 
 
@@ -242,7 +245,7 @@ def _value(node: Any) -> float:
 
 def _intensity_scale(limits: tuple[float, float]) -> tuple[float, float]:
     low, high = limits
-    # Many programs announce the range that occurs, which would make scans differ that do not.
+    # Many programs announce the range that occurs, which differs between scans of equal brightness.
     if low >= 0 and high <= 1:
         return 0.0, 65535.0
     return (-low, 65535 / (high - low)) if high > low else (0.0, 1.0)
@@ -274,8 +277,8 @@ def _blocks(path: Path, scan: Scan, size: int) -> Iterator[dict[str, np.ndarray]
         reader.close()
 
 
-def _places(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:
-    """Return where points lie in the file's coordinates, shape (n, 3)."""
+def _positions(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:
+    """Return the positions of points in the file's coordinates, shape (n, 3)."""
     if set(CARTESIAN) <= data.keys():
         xyz = np.stack([data[name] for name in CARTESIAN], axis=1)
     else:
@@ -285,14 +288,3 @@ def _places(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:
             [level * np.cos(azimuth), level * np.sin(azimuth), distance * np.sin(elevation)], axis=1
         )
     return product(xyz, scan.rotation) + scan.shift
-
-
-def _read_crs(path: Path, wkt: str) -> tuple[Optional[CRS], tuple[str, ...]]:
-    if not wkt.strip():
-        return None, ()
-    try:
-        return reference_systems.parse_wkt(wkt), ()
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-    except ValueError:
-        return None, (f"The coordinate reference system in {path} cannot be understood.",)

@@ -4,6 +4,7 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import BinaryIO, Optional
 
@@ -12,14 +13,16 @@ import lazrs
 import numpy as np
 from rasterio.crs import CRS
 
-from ... import reference_systems
 from ...errors import InputError
 from ...progress import Progress
+from ...reference_systems import parse_wkt
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
+from .geotiff_keys import parse_geotiff_keys
+from .stated_crs import read_crs
 
-SAMPLES = 8
-SAMPLE_SIZE = 1000
 LARGEST_CHUNK = 1_000_000
+"""Points for which lazrs may claim memory at once, whatever a damaged header announces."""
 
 Selection = laspy.DecompressionSelection
 EVERYTHING = Selection.all()
@@ -29,9 +32,9 @@ EVERYTHING = Selection.all()
 class LasSource(Source):
     """A LAS or LAZ file.
 
-    An intensity or a colour that is zero in all sampled points counts as absent, and a colour
-    that stays below 256 there as 8 bits in a 16-bit field. The header's bounding box is never
-    used: octree exports put the box of the tree there.
+    An intensity or a colour that is zero in all sampled points counts as absent. A colour that is below
+    256 in all of them counts as 8 bits in a 16-bit field. The header's bounding box is never used,
+    because octree exports write the box of their tree there.
 
     Attributes
     ----------
@@ -49,19 +52,19 @@ class LasSource(Source):
     colour_factor: int
 
     @classmethod
-    def open(cls, path: Path) -> "LasSource":
-        """Look into the header and a few thousand points of `path`.
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "LasSource":
+        """Examine the header and a few thousand points of `path`.
 
         Raises
         ------
         InputError
-            If the file is no LAS, is truncated, is damaged or holds no points.
+            If the file is not a LAS, is truncated, is damaged or holds no points.
         """
         with open_reader(path) as reader:
             header = reader.header
             _check_scales(path, header)
-            sample = _sample(path, reader)
-            crs, warnings = _read_crs(path, header)
+            sample = _sample(path, reader, settings)
+            crs, warnings = read_crs(path, partial(_parse_crs, header))
         xyz = coordinates(sample, header.scales, header.offsets)
         rgb = _colour(sample)
         brightest = 0 if rgb is None else rgb.max()
@@ -93,14 +96,14 @@ class LasSource(Source):
             )
 
     def records(
-        self, progress: Progress, size: int, selection: Selection = EVERYTHING
+        self, progress: Progress, size: int, selection: laspy.DecompressionSelection = EVERYTHING
     ) -> Iterator[np.ndarray]:
         """Yield the raw point records in file order, `size` at a time.
 
         Parameters
         ----------
         selection : laspy.DecompressionSelection
-            The dimensions that matter; others may hold anything.
+            The dimensions that are needed; the others are undefined.
 
         Yields
         ------
@@ -127,13 +130,15 @@ class LasSource(Source):
 
 
 @contextmanager
-def open_reader(path: Path, selection: Selection = EVERYTHING) -> Iterator[laspy.LasReader]:
-    """Open `path` with laspy, once its header is found to agree with its length.
+def open_reader(
+    path: Path, selection: laspy.DecompressionSelection = EVERYTHING
+) -> Iterator[laspy.LasReader]:
+    """Open `path` with laspy, after checking that its header agrees with its length.
 
     Raises
     ------
     InputError
-        If the file is no LAS, is truncated, is damaged or holds no points.
+        If the file is not a LAS, is truncated, is damaged or holds no points.
     """
     with _as_input_error(path):
         stream = path.open("rb")
@@ -187,7 +192,7 @@ def _check_layout(path: Path, stream: BinaryIO) -> None:
 
 
 def _check_chunk_table(path: Path, stream: BinaryIO, data_start: int, size: int) -> None:
-    """Refuse a table that lies beyond the end, or whose size would make lazrs abort."""
+    """Refuse a chunk table that lies beyond the end of the file, or whose size would make lazrs abort."""
 
     def integer(position: int, code: str) -> int:
         stream.seek(position)
@@ -217,22 +222,22 @@ def _check_scales(path: Path, header: laspy.LasHeader) -> None:
         farthest = np.abs(header.scales) * 2.0**31 + np.abs(header.offsets)
     if not (np.isfinite(farthest).all() and np.all(header.scales)):
         raise InputError(
-            f"{path} has coordinates that are not numbers, for the scale or offset in its "
-            "header is not valid; export it again."
+            f"{path} has coordinates that are not numbers because the scale or offset in "
+            "its header is not valid; export it again."
         )
 
 
-def _sample(path: Path, reader: laspy.LasReader) -> np.ndarray:
+def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> np.ndarray:
     """Return the records of a few short runs spread over the whole file."""
-    count = reader.header.point_count
+    count, size = reader.header.point_count, settings.las_run_points
     if _has_chunks_of_any_size(reader.header):
-        # There lazrs seeks to the wrong point; a COPC starts with points from all over the site.
-        return _read(path, reader, min(SAMPLES * SAMPLE_SIZE, count))
+        # lazrs seeks to the wrong point in such files; a COPC starts with points from all over the site.
+        return _read(path, reader, min(settings.las_runs * size, count))
     runs = []
-    for start in np.unique(np.linspace(0, max(count - SAMPLE_SIZE, 0), SAMPLES).astype(int)):
+    for start in np.unique(np.linspace(0, max(count - size, 0), settings.las_runs).astype(int)):
         with _as_input_error(path):
             reader.seek(int(start))
-        runs.append(_read(path, reader, min(SAMPLE_SIZE, count)))
+        runs.append(_read(path, reader, min(size, count)))
     return np.concatenate(runs)
 
 
@@ -270,21 +275,16 @@ def _colour(points: np.ndarray) -> Optional[np.ndarray]:
     return np.stack([points["red"], points["green"], points["blue"]], axis=1)
 
 
-def _read_crs(path: Path, header: laspy.LasHeader) -> tuple[Optional[CRS], tuple[str, ...]]:
+def _parse_crs(header: laspy.LasHeader) -> Optional[CRS]:
+    """Return the horizontal system in the records of `header`; ValueError if it cannot be understood."""
     records = {
         record.record_id: record.record_data_bytes()
         for record in [*(header.evlrs or []), *header.vlrs]
         if record.user_id == "LASF_Projection"
     }
-    try:
-        wkt = records.get(2112, b"").decode("utf-8").strip("\0 \n")
-        if wkt:
-            return reference_systems.parse_wkt(wkt), ()
-        if 34735 in records:
-            keys = [records.get(key, b"") for key in (34735, 34736, 34737)]
-            return reference_systems.parse_geotiff_keys(*keys), ()
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-    except ValueError:
-        return None, (f"The coordinate reference system in {path} cannot be understood.",)
-    return None, ()
+    wkt = records.get(2112, b"").decode("utf-8").strip("\0 \n")
+    if wkt:
+        return parse_wkt(wkt)
+    if 34735 in records:
+        return parse_geotiff_keys(*[records.get(key, b"") for key in (34735, 34736, 34737)])
+    return None

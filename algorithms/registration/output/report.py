@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ...reporting.numbers import MISSING, number
 from ...reporting.page import write_page
-from ..adjustment.test_statistics import ALPHA, CRITICAL_W, NONCENTRALITY, POWER
+from ..adjustment.settings import OutlierTestSettings
 from ..results import ControlPoint, Registration, ScanRegistration
 from ..settings import Matching, Model, Settings
 from .layers import PLANE_FACTOR, SPACE_FACTOR
@@ -25,6 +25,8 @@ MODELS = {
 MOST_RIVALS = 12
 """Solutions that are listed of a scan that has several."""
 
+TESTS = OutlierTestSettings()
+
 ALPHA_SIGN, DELTA = "\N{GREEK SMALL LETTER ALPHA}", "\N{GREEK SMALL LETTER DELTA}"
 
 LEGEND = {
@@ -36,11 +38,11 @@ LEGEND = {
     f"deviations hold. The verdict is on a level of {100 * LEVEL:g} %, both sides together.",
     "r": "Redundancy number, 0 to 1: the part of an error of a coordinate that its residual shows.",
     "w": "Baarda's normalized residual, by the a priori standard deviation; suspected beyond "
-    f"{CRITICAL_W:.2f} ({ALPHA_SIGN} = {ALPHA:g}).",
+    f"{TESTS.critical_w:.2f} ({ALPHA_SIGN} = {TESTS.significance:g}).",
     TAU: "Pope's studentized residual, by the a posteriori standard deviation of the scan; its limit "
-    f"({ALPHA_SIGN} = {ALPHA:g}) depends on the redundancy.",
+    f"({ALPHA_SIGN} = {TESTS.significance:g}) depends on the redundancy.",
     "MDB": "Minimal detectable bias: the smallest error of a coordinate that the w-test finds with a power "
-    f"of {100 * POWER:g} % ({DELTA}0 = {NONCENTRALITY:.2f}).",
+    f"of {100 * TESTS.power:g} % ({DELTA}0 = {TESTS.noncentrality:.2f}).",
     "95 % ellipse, ellipsoid": f"Semi-axes are {PLANE_FACTOR:.3f} (plane) and {SPACE_FACTOR:.3f} (space) "
     "standard deviations.",
     "Accidental matches": "How many are expected of as many targets, if the scan had nothing to do with the "
@@ -77,7 +79,7 @@ def write_report(registration: Registration, path: Path) -> None:
         plan_caption=plan_caption,
         registered_scans=[scan_content(scan, registration) for scan in registration.registered],
         weak=WEAK,
-        critical_w=CRITICAL_W,
+        critical_w=TESTS.critical_w,
         control=_control(registration.points),
         legend=LEGEND,
     )

@@ -6,10 +6,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...reporting.numbers import number
-from ..adjustment.test_statistics import CRITICAL_W, critical_tau
+from ..adjustment.settings import OutlierTestSettings
+from ..adjustment.statistical_tests import critical_tau
 from ..results import GlobalTest, Registration, ScanRegistration
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
+
+CRITICAL_W = OutlierTestSettings().critical_w
 
 LEVEL = 0.05
 """Of the global test, both sides together."""

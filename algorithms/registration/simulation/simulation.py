@@ -22,9 +22,6 @@ SUCCESS = "success"
 WRONG = "wrong labels"
 INCOMPLETE = "incomplete"
 
-SCALES = (0.1, 10.0)
-"""Between which the scale of a scan lies when nothing is known about it."""
-
 
 @dataclass(frozen=True)
 class Trial:
@@ -55,7 +52,7 @@ class Trial:
     shift_error: float
     rotation_error: float
     sigma0: float
-    confused: frozenset
+    confused: frozenset[tuple[str, str]]
 
 
 @dataclass(frozen=True)
@@ -111,7 +108,7 @@ class Simulation:
         return len(self.successes) / len(self.trials)
 
     @property
-    def failures(self) -> dict:
+    def failures(self) -> dict[str, int]:
         """Numbers of all other trials by their outcome, the most frequent first."""
         counts = Counter(trial.outcome for trial in self.trials if trial.outcome != SUCCESS)
         return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
@@ -189,7 +186,9 @@ def _check(control: PointList, model: Model, targets_per_scan: int) -> None:
         )
 
 
-def _groups(control: PointList, size: int, reach: Optional[float]) -> tuple[list, tuple[str, ...]]:
+def _groups(
+    control: PointList, size: int, reach: Optional[float]
+) -> tuple[list[np.ndarray], tuple[str, ...]]:
     """Return the rows of control points that can be seen together, and a warning about the others."""
     if reach is None:
         return [np.arange(len(control.names))], ()
@@ -213,7 +212,7 @@ def _trial(
     control: PointList, seen: np.ndarray, settings: Settings, scale_ppm: float, generator: np.random.Generator
 ) -> Trial:
     places = control.xyz[seen]
-    true = _pose(places, settings.model, generator)
+    true = _pose(places, settings, generator)
     # Of the points as surveyed, too: only the difference of both errors matters.
     noise = generator.normal(0, np.hypot(settings.sigma, settings.control_sigma), places.shape)
     measured = places + scale_ppm * 1e-6 * (places - places.mean(axis=0)) + noise
@@ -224,20 +223,23 @@ def _trial(
     return _judged(found, true, dict(zip(names, seen)), control.names)
 
 
-def _pose(places: np.ndarray, model: Model, generator: np.random.Generator) -> np.ndarray:
+def _pose(places: np.ndarray, settings: Settings, generator: np.random.Generator) -> np.ndarray:
     """Return a scanner somewhere among the places, turned at random; from its frame to theirs."""
-    if model.levelled:
+    if settings.model.levelled:
         rotation = Rotation.from_euler("z", generator.uniform(0, 2 * np.pi))
     else:
         rotation = Rotation.from_quat(generator.normal(size=4))
-    scale = np.exp(generator.uniform(*np.log(SCALES))) if model is Model.UNKNOWN_SCALE else 1.0
+    scale = 1.0
+    if settings.model is Model.UNKNOWN_SCALE:
+        limits = settings.simulation.smallest_scale, settings.simulation.largest_scale
+        scale = np.exp(generator.uniform(*np.log(limits)))
     pose = np.eye(4)
     pose[:3, :3] = scale * rotation.as_matrix()
     pose[:3, 3] = generator.uniform(places.min(axis=0), places.max(axis=0))
     return pose
 
 
-def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[str, ...]) -> Trial:
+def _judged(found: ScanRegistration, true: np.ndarray, rows: dict[str, int], names: tuple[str, ...]) -> Trial:
     """Compare a registration with the true pose, and with the true rows of the targets."""
     row_of = {name: row for row, name in enumerate(names)}
     right = sum(row_of[item.control] == rows[item.target] for item in found.correspondences)
@@ -249,7 +251,7 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         outcome = WRONG
     else:
         outcome = SUCCESS if right == len(rows) else INCOMPLETE
-    shift, rotation = _errors(found.matrix, true) if found.registered else (np.nan, np.nan)
+    shift, rotation = _errors(found.matrix, true) if found.matrix is not None else (np.nan, np.nan)
     rivals = [{target: row_of[point] for target, point in rival.items()} for rival in found.rivals]
     pairs = {
         tuple(sorted((row, rows[target])))
@@ -263,7 +265,7 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         wrong=wrong,
         shift_error=shift,
         rotation_error=rotation,
-        sigma0=found.test.sigma0 if found.registered else np.nan,
+        sigma0=found.test.sigma0 if found.test else np.nan,
         confused=frozenset((names[one], names[other]) for one, other in pairs),
     )
 

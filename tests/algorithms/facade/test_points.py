@@ -4,8 +4,9 @@ import laspy
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.facade.planes.facade_points import read_points
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.algorithms.facade.points import read_points
+from ichnograph.algorithms.facade.settings import ThinningSettings
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
 
@@ -49,7 +50,7 @@ def test_colour_that_only_some_files_have_is_not_used(tmp_path):
     assert points.intensity is not None and len(points.xyz) == 2 * COUNT
 
 
-def test_scans_are_told_by_point_source_file_and_block(tmp_path):
+def test_scans_are_distinguished_by_point_source_file_and_block(tmp_path):
     paths = [las(tmp_path / "a.laz", station=5), las(tmp_path / "b.laz", station=5)]
     cells = np.random.default_rng(0).uniform(1, 2, (10, 4))
     paths.append(write_ptx(tmp_path / "c.ptx", cells, cells))
@@ -58,7 +59,7 @@ def test_scans_are_told_by_point_source_file_and_block(tmp_path):
     assert [np.sum(points.scan == number) for number in range(4)] == [COUNT, COUNT, 10, 10]
 
 
-def test_the_scans_of_an_e57_are_told_apart(tmp_path):
+def test_the_scans_of_an_e57_are_distinguished(tmp_path):
     cells = np.random.default_rng(0).uniform(1, 2, (10, 3))
     points = read_points(open_cloud([write_e57(tmp_path / "a.e57", cells, cells[:4])]))
     assert np.bincount(points.scan).tolist() == [10, 4]
@@ -68,7 +69,10 @@ def test_more_points_than_asked_for_are_thinned_the_same_in_any_order(tmp_path):
     xyz = np.random.default_rng(0).uniform(0, 1, (4000, 3)) * (1, 0.002, 1)
     write_ply(tmp_path / "a.ply", xyz)
     write_ply(tmp_path / "b.ply", xyz[::-1])
-    first, second = (read_points(open_cloud([tmp_path / name]), most=1000) for name in ("a.ply", "b.ply"))
+    thinning = ThinningSettings(most_points=1000)
+    first, second = (
+        read_points(open_cloud([tmp_path / name]), thinning=thinning) for name in ("a.ply", "b.ply")
+    )
 
     assert 500 < len(first.xyz) <= 1000
     assert sorted(map(tuple, (first.xyz + first.origin).round(6))) == sorted(

@@ -1,0 +1,81 @@
+"""The t-test whether the scale of a scan differs from 1, and what to do about it."""
+
+from typing import Optional
+
+import numpy as np
+from scipy import stats
+
+from ..results import GlobalTest, ScaleTest
+from ..settings import Model, Settings
+from .block_adjustment import Adjusted
+from .least_squares import Sighting, adjust
+from .settings import ScaleTestSettings
+from .similarity import Pose
+from .statistical_tests import global_test, spread_factor
+
+WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCALE}
+
+
+def scale_test(
+    targets: np.ndarray, points: np.ndarray, number: int, adjusted: Adjusted, settings: Settings
+) -> Optional[ScaleTest]:
+    """Test the scale of a scan, if its model has none by an adjustment of the scan alone with a scale.
+
+    Parameters
+    ----------
+    targets : ndarray, shape (k, 3)
+        Those that were used.
+    points : ndarray of int, shape (k,)
+        Their control points.
+    number : int
+        Of the scan in the block.
+    adjusted : Adjusted
+    settings : Settings
+
+    Returns
+    -------
+    ScaleTest or None
+        None without redundancy.
+    """
+    model, block = settings.model, adjusted.block
+    scaled = WITH_SCALE.get(model, model)
+    if 3 * len(targets) - scaled.unknowns <= 0:
+        return None
+    if model is scaled:
+        return _tested(block.poses[number], block.pose_cofactors[number], adjusted.tests[number], settings)
+    sighting = Sighting(targets, points, block.poses[number])
+    fixed = np.ones(len(block.points), bool)
+    alone = adjust([sighting], block.points, fixed, scaled, settings.sigma, settings=settings.adjustment)
+    test = global_test(alone.sum_of_squares, alone.redundancy, settings.adjustment.tests)
+    return _tested(alone.poses[0], alone.pose_cofactors[0], test, settings)
+
+
+def _tested(pose: Pose, cofactors: np.ndarray, test: GlobalTest, settings: Settings) -> ScaleTest:
+    deviation = float(pose.scale) - 1.0
+    spread = spread_factor(test, settings.adjustment.tests)
+    std = float(pose.scale) * float(np.sqrt(cofactors[-1, -1])) * spread
+    limits = settings.adjustment.scale_test
+    limit = stats.t.isf(limits.significance / 2, max(test.redundancy, 1.0))
+    significant = bool(abs(deviation) > limit * std)
+    advice = _advice(1e6 * deviation, significant, settings.model, limits)
+    return ScaleTest(1e6 * deviation, 1e6 * std, significant, advice)
+
+
+def _advice(ppm: float, significant: bool, model: Model, settings: ScaleTestSettings) -> str:
+    if model is Model.UNKNOWN_SCALE:
+        return f"One unit of the scan is {1 + ppm / 1e6:.6g} m."
+    if not significant:
+        return (
+            "The scale does not differ from 1; a model without scale is enough."
+            if model.scaled
+            else "The scale does not differ from 1."
+        )
+    cause = (
+        "as grid coordinates do that are not reduced for the projection"
+        if settings.least_projection_ppm < abs(ppm) < settings.most_projection_ppm
+        else "which points to the calibration of the scanner, or to too small a SIGMA"
+    )
+    remedy = (
+        "keep the model with scale" if model.scaled else "choose a model with scale, or reduce the distances"
+    )
+    return f"The scale differs from 1 by {ppm:+.0f} ppm, {cause}; {remedy}."
