@@ -2,6 +2,7 @@
 
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -43,7 +44,7 @@ class CompareLengthsAlgorithm(Algorithm):
         ("COUNT", "Number of lengths compared"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Pair the lengths."""
         from ...algorithms.evaluation.length_lists import read_reference, read_schedule
         from ...algorithms.evaluation.lengths import compare_lengths
