@@ -30,7 +30,18 @@ class MissingPackageError(InputError):
 
 
 class NothingFoundError(IchnographError):
-    """The input is sound, but no result remains; the message says which step removed what."""
+    """The input is sound, but no result remains; the message says which step removed what.
+
+    Parameters
+    ----------
+    message : str
+    warnings : tuple of str
+        What was noticed before, and may be the reason.
+    """
+
+    def __init__(self, message: str, warnings: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.warnings = warnings
 
 
 class CancelledError(IchnographError):

@@ -1,15 +1,9 @@
 """Lines and arcs that run from a start to an end: faces and centrelines of walls."""
 
 from dataclasses import dataclass, replace
-from typing import Union
+from typing import Optional, Union
 
 import numpy as np
-
-CHORD = 0.002
-"""Largest distance (m) of the chords of a face from the arc that they stand for."""
-
-SAGITTA = 0.001
-"""The same for a centreline."""
 
 
 def left_of(direction: np.ndarray) -> np.ndarray:
@@ -58,11 +52,11 @@ class Line:
         """Return the nearest point on the line."""
         return self.at(self.station(point))
 
-    def run(self, start: float, stop: float) -> np.ndarray:
-        """Return the corners of the line from one station to another."""
+    def run(self, start: float, stop: float, chord_m: float) -> np.ndarray:
+        """Return the corners of the line from one station to another; `chord_m` is for arcs."""
         return self.at(np.array([start, stop]))
 
-    def between(self, row: np.ndarray) -> np.ndarray:
+    def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the line from the first to the last of a row of points."""
         return np.array([self.foot(row[0]), self.foot(row[-1])])
 
@@ -144,15 +138,15 @@ class Arc:
         """Return the nearest point on the circle."""
         return self.centre + self.radius * self._ray(point)
 
-    def run(self, start: float, stop: float) -> np.ndarray:
-        """Return the corners of the arc from one station to another, its chords within `CHORD` of it."""
-        step = 2 * np.sqrt(2 * CHORD * self.radius)
+    def run(self, start: float, stop: float, chord_m: float) -> np.ndarray:
+        """Return the corners of the arc from one station to another, its chords within `chord_m` of it."""
+        step = 2 * np.sqrt(2 * chord_m * self.radius)
         return self.at(np.linspace(start, stop, max(int(np.ceil(abs(stop - start) / step)), 1) + 1))
 
-    def between(self, row: np.ndarray) -> np.ndarray:
+    def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the arc from the first to the last of a row of points."""
         angles = np.unwrap(np.arctan2(*(row - self.centre).T[::-1]))
-        step = 2 * np.arccos(1 - min(SAGITTA / self.radius, 0.5))
+        step = 2 * np.arccos(1 - min(chord_m / self.radius, 0.5))
         count = max(int(np.ceil(abs(angles[-1] - angles[0]) / step)), 1)
         angles = np.linspace(angles[0], angles[-1], count + 1)
         return self.centre + self.radius * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -206,3 +200,17 @@ def fit_line(points: np.ndarray) -> Line:
     axes = np.linalg.svd(points - middle, full_matrices=False)[2]
     forward = axes[0] if (points[-1] - points[0]) @ axes[0] >= 0 else -axes[0]
     return Line(middle, forward)
+
+
+def crossing(one: Curve, other: Curve, near: np.ndarray) -> Optional[np.ndarray]:
+    """Return the point that two curves share nearest to a point; None if they do not meet there.
+
+    Newton's method: two steps suffice for lines, and a few for arcs.
+    """
+    point = np.array(near, float)
+    for _ in range(8):
+        across = np.stack([left_of(one.heading(point)), left_of(other.heading(point))])
+        if abs(np.linalg.det(across)) < 1e-3:
+            return None
+        point = point - np.linalg.solve(across, [one.offset(point), other.offset(point)])
+    return point if max(abs(one.offset(point)), abs(other.offset(point))) < 1e-6 else None

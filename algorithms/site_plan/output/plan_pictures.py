@@ -9,9 +9,8 @@ import numpy as np
 from affine import Affine
 
 from ...reporting.pictures import shrunk
-from ..site_plan import SitePlan
-from ..walls.height_gate import Gate
-from ..walls.regions import Selection
+from ..results import SitePlan
+from ..walls.extraction import Verdict
 
 MARGIN = 0.1
 """Share of what may be wall that is shown around it."""
@@ -48,6 +47,13 @@ COLOURS = {
     Fate.WALL: (34, 48, 58),
 }
 
+FATE_OF = {
+    Verdict.FAINT: Fate.UNSEEN,
+    Verdict.SMALL: Fate.SMALL,
+    Verdict.MISSHAPEN: Fate.MISSHAPEN,
+    Verdict.KEPT: Fate.WALL,
+}
+
 
 @dataclass(frozen=True)
 class View:
@@ -81,30 +87,15 @@ class View:
         return values[self.rows, self.columns]
 
 
-def fates(
-    plan: SitePlan, view: View, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
-) -> np.ndarray:
-    """Return what became of each pixel that is shown, as `Fate`; uint8.
-
-    Parameters
-    ----------
-    plan : SitePlan
-    view : View
-        The part to show.
-    gate : Gate
-        With which the plan was made.
-    held : ndarray of bool, shape (rows, columns)
-        Pixels that hold density.
-    small, misshapen : ndarray of bool, shape (rows, columns)
-        Pixels that belonged, at any threshold, to a region removed by area or by shape.
-    """
-    found, held = plan.image, view.part(held)
+def fates(plan: SitePlan, view: View) -> np.ndarray:
+    """Return what became of each pixel that a view shows, as `Fate`; uint8."""
+    found, gate, held = plan.image, plan.image.gate, view.part(np.isfinite(plan.density.density))
     low = ~view.part(gate.tall) & ~view.part(gate.flat)
     rules = {
         Fate.WALL: view.part(found.votes) > 0,
         Fate.CLOSED: view.part(found.walls),
-        Fate.MISSHAPEN: view.part(misshapen),
-        Fate.SMALL: view.part(small),
+        Fate.MISSHAPEN: view.part(found.removed(Verdict.MISSHAPEN)),
+        Fate.SMALL: view.part(found.removed(Verdict.SMALL)),
         Fate.FAINT: view.part(found.gated) > 0,
         Fate.FOLIAGE: _known(gate.foliage, view, held),
         Fate.FURNITURE: _known(gate.furniture, view, held),
@@ -118,15 +109,9 @@ def _known(mask: Optional[np.ndarray], view: View, held: np.ndarray) -> np.ndarr
     return np.zeros_like(held) if mask is None else view.part(mask)
 
 
-def fates_at(selection: Selection, view: View) -> np.ndarray:
-    """Return what became of the pixels above one threshold that are shown."""
-    return _numbered(
-        {
-            Fate.WALL: view.part(selection.kept),
-            Fate.MISSHAPEN: view.part(selection.misshapen),
-            Fate.SMALL: view.part(selection.small),
-        }
-    )
+def fates_at(verdicts: np.ndarray, view: View) -> np.ndarray:
+    """Return what became, at one threshold, of the pixels that a view shows; from their `Verdict`."""
+    return np.array([FATE_OF[verdict] for verdict in Verdict], np.uint8)[view.part(verdicts)]
 
 
 def _numbered(rules: Mapping[Fate, np.ndarray]) -> np.ndarray:

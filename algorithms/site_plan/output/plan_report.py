@@ -1,7 +1,6 @@
 """REPORT: a site plan as a page to read: how it came about, and which parameter to change."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple, Optional
 
@@ -13,11 +12,10 @@ from ...reporting.numbers import number
 from ...reporting.page import write_page
 from ...reporting.pictures import embedded, grey
 from ..density.density_image import DensityImage
+from ..results import SitePlan
 from ..rooms.rooms import Room
-from ..site_plan import SitePlan
-from ..walls.extraction import select_by_threshold
-from ..walls.height_gate import Gate, make_gate
-from ..walls.thresholds import surface_rule
+from ..settings import SitePlanSettings
+from ..walls.extraction import ThresholdStep
 from .plan_pictures import COLOURS, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
 
 TEMPLATE = Path(__file__).parent / "templates" / "site_plan.html"
@@ -31,26 +29,6 @@ MOST_ROWS = 300
 FACE, ROOM = "#a8321a", "#2a8a96"
 
 
-@dataclass(frozen=True)
-class _Steps:
-    """What the criteria did over the thresholds.
-
-    Attributes
-    ----------
-    small, misshapen : ndarray of bool, shape (rows, columns)
-        Pixels of regions that were removed at any threshold.
-    rows : list of (float, int, int, int)
-        Threshold, regions, of them too small, of them misshapen.
-    pictures : list of (str, str)
-        Captions and addresses.
-    """
-
-    small: np.ndarray
-    misshapen: np.ndarray
-    rows: list[tuple[float, int, int, int]]
-    pictures: list[tuple[str, str]]
-
-
 class _FateRow(NamedTuple):
     """A row of the table of fates: the area in m2, and which parameter to change."""
 
@@ -60,74 +38,59 @@ class _FateRow(NamedTuple):
     remedy: str
 
 
-def write_report(
-    path: Path, plan: SitePlan, image: DensityImage, settings: Mapping[str, str], rooms: Sequence[Room] = ()
-) -> None:
+def write_report(path: Path, plan: SitePlan) -> None:
     """Write the report as one HTML page.
-
-    Parameters
-    ----------
-    path : Path
-    plan : SitePlan
-    image : DensityImage
-        What the plan was made from.
-    settings : mapping of str to str
-        Further parameters of the run and their values.
-    rooms : sequence of Room
-        If they were looked for.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    gate = make_gate(image.density, image.heights, plan.image.parameters.min_height, image.transform.a)
-    view = View.around(plan.image.gated > 0, image.transform)
-    steps = _steps(plan, gate, view, image.transform.a)
-    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
+    view = View.around(plan.image.gated > 0, plan.transform)
+    fate = fates(plan, view)
+    areas = np.bincount(fate.ravel(), minlength=len(Fate)) * plan.transform.a**2
     write_page(
         path,
         TEMPLATE,
         plan=plan,
-        image=image,
-        rooms=rooms,
-        warnings=(*image.warnings, *plan.image.warnings),
-        plan_map=_plan_map(plan, image, view, rooms),
+        image=plan.density,
+        rooms=plan.rooms or (),
+        warnings=plan.warnings,
+        plan_map=_plan_map(plan, view),
         fate_map=_map(view, coloured(fate)),
-        fates=_fate_rows(plan, np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2, steps),
-        pictures=steps.pictures,
+        fates=_fate_rows(plan, areas),
+        pictures=_pictures(plan, view),
         histogram=_histogram(plan),
-        steps=[(number(value, 2), *map(str, counts)) for value, *counts in steps.rows],
-        density_map=_map(view, _grey(image, view)),
-        parameters=_parameters(plan, image, gate, settings),
+        steps=[_step_row(step) for step in plan.image.steps],
+        density_map=_map(view, _grey(plan.density, view)),
+        parameters=_parameters(plan),
         wall_rows=_wall_rows(plan),
-        room_rows=_room_rows(rooms),
+        room_rows=_room_rows(plan.rooms or ()),
     )
 
 
-def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
-    """Repeat the thresholds of the extraction, and note what it removed."""
-    found = plan.image
-    values = found.thresholds.values
-    shown = set(np.linspace(0, len(values) - 1, min(len(values), MOST_PICTURES)).round().astype(int).tolist())
-    steps = _Steps(np.zeros(found.walls.shape, bool), np.zeros(found.walls.shape, bool), [], [])
-    selections = select_by_threshold(found.gated, found.thresholds, pixel_size, found.criteria, gate.column)
-    for i, selection in enumerate(selections):
-        np.logical_or(steps.small, selection.small, out=steps.small)
-        np.logical_or(steps.misshapen, selection.misshapen, out=steps.misshapen)
-        counts = (selection.regions, selection.too_small, selection.wrong_shape)
-        steps.rows.append((values[i], *counts))
-        if i in shown:
-            kept = counts[0] - counts[1] - counts[2]
-            picture = embedded(coloured(fates_at(selection, view), THUMBNAIL))
-            steps.pictures.append((f"{values[i]:.2f}: {kept} of {counts[0]} regions kept", picture))
-    return steps
+def _step_row(step: ThresholdStep) -> tuple[str, ...]:
+    return number(step.threshold, 2), *map(str, (step.regions, step.too_small, step.wrong_shape))
 
 
-def _plan_map(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room]) -> str:
+def _pictures(plan: SitePlan, view: View) -> list[tuple[str, str]]:
+    """Return captions and addresses of pictures of what was found at thresholds."""
+    steps = plan.image.steps
+    shown = np.unique(np.linspace(0, len(steps) - 1, min(len(steps), MOST_PICTURES)).round().astype(int))
+    return [_picture(plan, steps[i], view) for i in shown]
+
+
+def _picture(plan: SitePlan, step: ThresholdStep, view: View) -> tuple[str, str]:
+    kept = step.regions - step.too_small - step.wrong_shape
+    fate = fates_at(plan.image.verdicts(step), view)
+    caption = f"{step.threshold:.2f}: {kept} of {step.regions} regions kept"
+    return caption, embedded(coloured(fate, THUMBNAIL))
+
+
+def _plan_map(plan: SitePlan, view: View) -> str:
     with Map.around(view.corners) as sheet:
-        sheet.picture(_grey(image, view, 2.0), view.corners)
-        sheet.areas([room.outline for room in rooms], ROOM, 0.15)
+        sheet.picture(_grey(plan.density, view, 2.0), view.corners)
+        sheet.areas([room.outline for room in plan.rooms or ()], ROOM, 0.15)
         sheet.areas([wall.outline for wall in plan.walls], FACE, 0.35)
         return sheet.svg()
 
@@ -143,9 +106,11 @@ def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
     return grey(fitted(view.part(image.density)), paler * float(held.mean() + 2 * held.std()))
 
 
-def _fate_rows(plan: SitePlan, areas: np.ndarray, steps: _Steps) -> list[_FateRow]:
+def _fate_rows(plan: SitePlan, areas: np.ndarray) -> list[_FateRow]:
     found = plan.image
-    regions, small, misshapen = (sum(column) for column in list(zip(*steps.rows))[1:])
+    regions = sum(step.regions for step in found.steps)
+    small = sum(step.too_small for step in found.steps)
+    misshapen = sum(step.wrong_shape for step in found.steps)
     rows = [
         (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down where there is no wall"),
         (
@@ -200,13 +165,9 @@ def _histogram(plan: SitePlan) -> str:
     return histogram(np.minimum(tall, 2 * ends[1]), "density of pixels that may be wall", limits=ends)
 
 
-def _parameters(
-    plan: SitePlan, image: DensityImage, gate: Gate, settings: Mapping[str, str]
-) -> list[tuple[str, str, str]]:
-    found, given = plan.image, plan.image.parameters
-    held = np.isfinite(image.density)
-    rule = surface_rule(gate.flat[held], gate.tall[held])
-    values, deviation = found.thresholds.values, found.thresholds.deviation
+def _parameters(plan: SitePlan) -> list[tuple[str, str, str]]:
+    found, given, gate = plan.image, plan.image.parameters, plan.image.gate
+    values, deviation, rule = found.thresholds.values, found.thresholds.deviation, found.thresholds.rule
 
     def density(value: float) -> str:
         return f"{value:.3g} standard deviations = {value * deviation:.3g} points per pixel"
@@ -216,7 +177,7 @@ def _parameters(
 
     seen = "heights show where the ground was seen" if gate.open_ground is not None else "no heights are used"
     return [
-        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value)),
+        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value if rule else "")),
         (
             "THRESHOLD_MAX",
             density(values[-1]),
@@ -232,10 +193,24 @@ def _parameters(
         ("MIN_ELONGATION", f"{found.criteria.min_elongation:g}", "given"),
         ("CLOSING", f"{found.gap:g} m", origin(given.closing, seen)),
         ("MIN_HEIGHT", f"{given.min_height:g} m", "given" if gate.column is not None else "not applied"),
-        ("PIXEL_SIZE", f"{image.transform.a:g} m", "given"),
-        *((name, value, "given") for name, value in settings.items()),
-        ("CRS", image.crs.to_string() if image.crs else "none", "of the files, or given"),
+        ("PIXEL_SIZE", f"{plan.transform.a:g} m", "given"),
+        *((name, value, "given") for name, value in _run(plan.settings).items()),
+        ("CRS", plan.crs.to_string() if plan.crs else "none", "of the files, or given"),
     ]
+
+
+def _run(settings: SitePlanSettings) -> dict[str, str]:
+    """Return the parameters of the run beyond those of the walls."""
+    heights = settings.height_range
+    limits = {"ZMIN": heights.low, "ZMAX": heights.high}
+    return {
+        "SPACING": f"{settings.spacing_m:g} m",
+        "NEIGHBOURHOOD": f"{settings.neighbourhood_px} pixels",
+        "REFINE": "yes" if settings.refine else "no",
+        **{name: f"{value:g} m" for name, value in limits.items() if np.isfinite(value)},
+        **({"HEIGHTS": "above the local ground"} if heights.above_ground else {}),
+        **({"DOOR_WIDTH": f"{settings.door_width_m:g} m"} if settings.with_rooms else {}),
+    }
 
 
 def _wall_rows(plan: SitePlan) -> list[tuple[str, ...]]:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
-from ichnograph.algorithms.site_plan.faces.face_points import LEVELS, gather_face_points
+from ichnograph.algorithms.site_plan.faces.face_points import gather_face_points
+from ichnograph.algorithms.site_plan.faces.settings import FacePointSettings
 from ichnograph.tests.processing_provider.room import CORNER, room_points, write_las
 
 
@@ -33,7 +34,7 @@ def test_only_points_near_walls_and_within_the_heights_are_gathered(tmp_path):
     assert np.abs(from_walls).min(axis=1).max() < 0.5
     up = room_points()[:, 2] - CORNER[2]
     assert near.count.sum() == np.count_nonzero((up >= 0.3) & (up < 2.3))
-    assert near.level.min() == 0 and near.level.max() == LEVELS - 1
+    assert near.level.min() == 0 and near.level.max() == FacePointSettings().levels - 1
 
 
 def test_a_voxel_is_the_mean_of_its_points(tmp_path):

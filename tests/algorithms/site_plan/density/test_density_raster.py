@@ -7,7 +7,7 @@ from affine import Affine
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.raster import write_raster
 from ichnograph.algorithms.site_plan.density.density_image import DensityImage
-from ichnograph.algorithms.site_plan.output.layers import BANDS, read_density, write_density
+from ichnograph.algorithms.site_plan.density.density_raster import BANDS, read_density, write_density
 from rasterio.crs import CRS
 
 GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)

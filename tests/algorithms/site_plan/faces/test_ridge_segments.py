@@ -1,8 +1,8 @@
-"""A row of ridge points is cut into straight and curved pieces."""
+"""A row of ridge points is cut into straight and curved segments."""
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.faces.ridge_segments import cut_into_pieces, scatter_of
+from ichnograph.algorithms.site_plan.faces.ridge_segments import cut_into_segments, scatter_of
 
 SIGMA = 0.01
 
@@ -32,38 +32,38 @@ def noisy(points, seed=0, scatter=0.004):
 
 def test_a_straight_row_is_one_piece():
     points, directions = row((0, 0), (10, 3))
-    (piece,) = cut_into_pieces(noisy(points), directions, SIGMA)
-    assert (piece.first, piece.last, piece.curved) == (0, len(points) - 1, False)
+    (segment,) = cut_into_segments(noisy(points), directions, SIGMA)
+    assert (segment.first, segment.last, segment.curved) == (0, len(points) - 1, False)
 
 
 @pytest.mark.parametrize("jamb", [0.15, 0.5])
 def test_the_end_of_a_wall_is_three_pieces(jamb):
     points, directions = row((0, 0), (3, 0), (3, jamb), (0, jamb))
-    pieces = cut_into_pieces(noisy(points), directions, SIGMA)
-    assert [piece.curved for piece in pieces] == [False] * 3
-    assert [piece.first for piece in pieces] == pytest.approx([0, 60, 60 + jamb / 0.05], abs=1)
+    segments = cut_into_segments(noisy(points), directions, SIGMA)
+    assert [segment.curved for segment in segments] == [False] * 3
+    assert [segment.first for segment in segments] == pytest.approx([0, 60, 60 + jamb / 0.05], abs=1)
 
 
 def test_both_ways_along_one_line_are_two_pieces():
     points, directions = row((0, 0), (3, 0), (0, 0))
-    pieces = cut_into_pieces(noisy(points), directions, SIGMA)
-    assert [(piece.first, piece.last) for piece in pieces] == [(0, 59), (60, 119)]
+    segments = cut_into_segments(noisy(points), directions, SIGMA)
+    assert [(segment.first, segment.last) for segment in segments] == [(0, 59), (60, 119)]
 
 
 @pytest.mark.parametrize("radius", [0.2, 1.0, 4.0])
 def test_a_round_row_is_one_curved_piece(radius):
     points, directions = arc(radius, 10, 250, max(int(radius * 80), 20))
-    (piece,) = cut_into_pieces(noisy(points), directions, SIGMA)
-    assert piece.curved
-    assert (piece.first, piece.last) == (0, len(points) - 1)
+    (segment,) = cut_into_segments(noisy(points), directions, SIGMA)
+    assert segment.curved
+    assert (segment.first, segment.last) == (0, len(points) - 1)
 
 
 def test_a_point_that_fits_nowhere_is_left_out():
     points, directions = row((0, 0), (4, 0))
     points[40] += (0, 0.2)
-    pieces = cut_into_pieces(points, directions, SIGMA)
-    assert all(not piece.first <= 40 <= piece.last for piece in pieces)
-    assert sum(piece.last - piece.first + 1 for piece in pieces) == len(points) - 1
+    segments = cut_into_segments(points, directions, SIGMA)
+    assert all(not segment.first <= 40 <= segment.last for segment in segments)
+    assert sum(segment.last - segment.first + 1 for segment in segments) == len(points) - 1
 
 
 def test_the_scatter_of_a_row_is_that_of_its_points_not_of_its_bends():

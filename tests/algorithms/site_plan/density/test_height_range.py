@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
 from ichnograph.algorithms.site_plan.density.height_range import HeightRange
 from ichnograph.algorithms.site_plan.site_plan import extract_walls
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.algorithms.site_plan.site import band_at, cloud_of, gate_of, level, upright
 
-INDOOR = Path(__file__).parents[4] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"
+INDOOR = Path(__file__).parents[5] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"
 
 UPPER = 3.3
 """Height of the upper floor; the ceiling of the lower storey is 0.3 m below."""
@@ -94,7 +95,7 @@ def test_a_real_house_on_two_storeys_gives_a_plan_of_each():
     cloud = cloud_of(np.column_stack([points.x, -np.asarray(points.z), points.y]))
     for heights, low, high in ((HeightRange(high=3.7), -2, 0), (HeightRange(low=3.9), 3.9, 6)):
         image = density_image(cloud, heights=heights)
-        plan = extract_walls(image.density, image.heights, image.transform, WallParameters())
+        plan = extract_walls(DensityRaster.of(image), WallParameters())
         assert plan.length > 40
         assert all(low <= wall.z_base <= high for wall in plan.walls if wall.length > 3)
 

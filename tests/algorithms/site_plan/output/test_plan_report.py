@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 from affine import Affine
 from ichnograph.algorithms.site_plan.density.density_image import DensityImage
+from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
 from ichnograph.algorithms.site_plan.output.plan_pictures import COLOURS, Fate
 from ichnograph.algorithms.site_plan.output.plan_report import write_report
+from ichnograph.algorithms.site_plan.results import SitePlan
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import extract_walls
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from rasterio.crs import CRS
@@ -51,11 +54,20 @@ def site():
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
     image = site()
-    plan = extract_walls(image.density, image.heights, GRID, WallParameters(threshold_steps=5))
-    rooms = find_rooms([wall.outline for wall in plan.walls])
+    settings = SitePlanSettings(with_rooms=True, wall_parameters=WallParameters(threshold_steps=5))
+    found = extract_walls(DensityRaster.of(image), settings.wall_parameters)
+    plan = SitePlan(
+        **vars(found),
+        settings=settings,
+        density=image,
+        pixel_walls=found.walls,
+        foliage=0,
+        axes=None,
+        rooms=find_rooms([wall.outline for wall in found.walls]),
+    )
     path = tmp_path_factory.mktemp("report") / "report.html"
-    write_report(path, plan, image, {"SPACING": "0.05 m"}, rooms)
-    return path.read_text(encoding="utf-8"), plan, rooms
+    write_report(path, plan)
+    return path.read_text(encoding="utf-8"), plan
 
 
 def plain(page):
@@ -75,8 +87,8 @@ def pictures(page):
 
 @pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
 def test_every_fate_is_shown_in_its_colour(made):
-    page, *_ = made
-    _plan, fate, *_steps = pictures(page)
+    page, _plan = made
+    _final, fate, *_steps = pictures(page)
     kinds = {Fate(kind): colour for kind, colour in COLOURS.items()}
     first = 20 - round(0.1 * 140)
     places = {
@@ -96,13 +108,13 @@ def test_every_fate_is_shown_in_its_colour(made):
 
 @pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
 def test_the_page_shows_plan_fates_thresholds_and_density_and_stands_alone(made):
-    page, *_ = made
+    page, _plan = made
     assert len(pictures(page)) == 1 + 1 + 5 + 1
     assert not re.search(r"(?i)https?:|<script|<link|src=\"(?!data:)|url\(|@import", page)
 
 
 def test_counts_values_and_their_origin_are_told(made):
-    page, plan, _rooms = made
+    page, plan = made
     text = plain(page)
     assert "A warning of the cloud." in text
     assert "smaller than MIN_AREA 0.1 m²: 5 of 20 regions" in text
@@ -113,14 +125,15 @@ def test_counts_values_and_their_origin_are_told(made):
     assert "MIN_AREA 0.1 m² derived" in text
     assert "MAX_FILL 0.4 given" in text
     assert "SPACING 0.05 m given" in text
+    assert "DOOR_WIDTH 1.3 m given" in text
     for name in ("THRESHOLD", "MIN_AREA", "MAX_FILL", "MIN_ELONGATION", "CLOSING", "MIN_HEIGHT"):
         assert re.search(rf"{name} [\d.]*\s?(up|down)", text), name
     assert f"{plan.area:.2f} m² in plan" in text
 
 
 def test_walls_and_rooms_are_listed(made):
-    page, plan, rooms = made
+    page, plan = made
     text = plain(page)
-    (room,) = rooms
+    (room,) = plan.rooms
     assert f"1 {room.area:.2f} {room.perimeter:.2f} 0" in text
     assert f"1 curved {plan.walls[0].length:.2f}" in text
