@@ -129,7 +129,7 @@ def _axes(figure: Figure, top: float, bottom: float, unit: str) -> Axes:
     height = 72 * figure.get_figheight()
     box = (LEFT / WIDTH, bottom / height, 1 - (LEFT + RIGHT) / WIDTH, 1 - (top + bottom) / height)
     axes = figure.add_axes(box, frameon=False)
-    axes.locator_params(axis="y", nbins=5, steps=(1, 2, 5, 10))
+    axes.locator_params(axis="y", nbins=8, steps=(1, 2, 5, 10))
     axes.set_ylabel(unit)
     axes.yaxis.set_label_coords(14 / WIDTH, box[1] + box[3] / 2, transform=figure.transFigure)
     return axes

@@ -5,6 +5,7 @@ import re
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from matplotlib import style
 from matplotlib.figure import Figure
@@ -28,39 +29,7 @@ LETTER = 6.8
 LINE = 12.0
 """Height of a line of such letters."""
 
-STYLE = {
-    "axes.autolimit_mode": "round_numbers",
-    "axes.axisbelow": True,
-    "axes.formatter.limits": (-9, 12),
-    "axes.formatter.useoffset": False,
-    "axes.grid": True,
-    "axes.grid.axis": "y",
-    "axes.labelcolor": TEXT,
-    "axes.unicode_minus": False,
-    "axes.xmargin": 0.0,
-    "axes.ymargin": 0.0,
-    "figure.dpi": 72.0,
-    "figure.frameon": False,
-    "font.family": "DejaVu Sans",
-    "font.size": 11.0,
-    "grid.color": GRID,
-    "grid.linewidth": 1.0,
-    "legend.fontsize": 11.0,
-    "legend.frameon": False,
-    "lines.solid_capstyle": "butt",
-    "svg.fonttype": "none",
-    "svg.hashsalt": "ichnograph",
-    "text.color": TEXT,
-    "xtick.color": TEXT,
-    "xtick.labelsize": 11.0,
-    "xtick.major.pad": 5.0,
-    "xtick.major.size": 0.0,
-    "ytick.color": TEXT,
-    "ytick.labelsize": 11.0,
-    "ytick.major.pad": 6.0,
-    "ytick.major.size": 0.0,
-}
-"""A point is a pixel. Text stays text, and the same figure is written as the same bytes."""
+STYLE = Path(__file__).parent / "templates" / "figures.mplstyle"
 
 WITHOUT_METADATA = dict.fromkeys(("Creator", "Date", "Format", "Type"))
 
@@ -83,7 +52,7 @@ def canvas(height: float) -> Iterator[Figure]:
     The settings of matplotlib that the user or another plugin has made do not matter in the body, and are
     as before after it.
     """
-    with style.context(["default", STYLE]), warnings.catch_warnings():
+    with style.context(["default", str(STYLE)]), warnings.catch_warnings():
         # The page has the letters that DejaVu Sans lacks.
         warnings.filterwarnings("ignore", message="Glyph .* missing")
         yield Figure(figsize=(WIDTH / 72, height / 72))

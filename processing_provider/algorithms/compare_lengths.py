@@ -1,6 +1,8 @@
 """The algorithm `comparelengths`."""
 
 from functools import partial
+from pathlib import Path
+from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -42,11 +44,15 @@ class CompareLengthsAlgorithm(Algorithm):
         ("COUNT", "Number of lengths compared"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Pair the lengths."""
-        from ...algorithms.evaluation.lengths import compare_lengths, write_table
+        from ...algorithms.evaluation.length_lists import read_reference, read_schedule
+        from ...algorithms.evaluation.lengths import compare_lengths
+        from ...algorithms.evaluation.lengths_table import write_table
 
-        comparison = compare_lengths(values["SCHEDULE"], values["REFERENCE"])
+        comparison = compare_lengths(
+            read_schedule(Path(values["SCHEDULE"])), read_reference(Path(values["REFERENCE"]))
+        )
         log.warn(comparison.warnings)
         log.info(
             f"{len(comparison.lengths)} lengths: mean difference {1000 * comparison.mean:.1f} mm, "

@@ -2,7 +2,7 @@
 
 import math
 from functools import partial
-from typing import Optional
+from typing import Any, Optional
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -72,7 +72,7 @@ class ComparePlanAlgorithm(Algorithm):
         ("P95_OFFSET", "Offset that 95 % of the reference that was found does not exceed (m)"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Compare the outlines."""
         from ...algorithms.evaluation.outlines import disagreements
         from ...algorithms.evaluation.plan import compare_plan

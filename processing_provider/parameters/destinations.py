@@ -217,13 +217,15 @@ class DrawingDestination(FileDestination):
 
 @dataclass(frozen=True)
 class HtmlDestination(FileDestination):
-    """A page, which QGIS lists in its results viewer; not made by default where its packages are missing."""
+    """A page, which QGIS lists in its results viewer; made by default unless QGIS lacks its packages."""
 
     extensions = (".html", ".htm")
     filters = "HTML files (*.html *.htm)"
 
-    def value(self, algorithm, parameters, context) -> Optional[Path]:
-        """Return the path; refuse it if it cannot be written, before anything is computed."""
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[Path]:
+        """Return the path, or refuse it before anything is computed if pages cannot be written."""
         path = super().value(algorithm, parameters, context)
         if path and lacking(PAGE_MODULES):
             raise MissingPackageError(self.name, PAGE_MODULES, "written")

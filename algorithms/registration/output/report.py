@@ -96,7 +96,7 @@ def _result(registration: Registration) -> str:
 
 def _summary(scan: ScanRegistration) -> tuple[str, ...]:
     """Return what the table of scans shows besides name, status and number of targets."""
-    if not scan.registered:
+    if scan.test is None:
         return (MISSING,) * 9
     used = [item for item in scan.correspondences if item.used]
     scale = scan.scale_test

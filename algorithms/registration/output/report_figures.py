@@ -1,7 +1,7 @@
 """The figures of the report: the paper's 6 to 8."""
 
 from collections.abc import Sequence
-from typing import TypeVar
+from typing import Optional, TypeVar
 
 import numpy as np
 
@@ -17,7 +17,7 @@ Item = TypeVar("Item", ControlPoint, Correspondence)
 SURVEYED, APPENDED, RESIDUAL, PALE = COLOURS[0], COLOURS[3], COLOURS[1], "#dbe3e7"
 
 FARTHEST = 10.0
-"""An origin farther from the middle of the targets than they are, times this, is not a station."""
+"""Largest distance of a station from the middle of its targets, in units of the largest of a target."""
 
 
 def site_plan(registration: Registration) -> tuple[str, str]:
@@ -37,7 +37,7 @@ def site_plan(registration: Registration) -> tuple[str, str]:
         plan.triangles(_stations(scans), INK)
         plan.names(
             np.vstack([hubs, _places(seen)]),
-            [item.name for item in (*scans, *seen)],
+            [*(scan.name for scan in scans), *(point.name for point in seen)],
             ["strong"] * len(scans) + [""] * len(seen),
             leading=len(scans),
         )
@@ -96,16 +96,28 @@ def residual_bars(scan: ScanRegistration) -> tuple[str, str]:
 
 
 def _hub(scan: ScanRegistration) -> np.ndarray:
-    """Return from where the targets of a scan were seen: the station, or the middle of the targets."""
-    targets = _places(scan.correspondences)
-    middle, origin = targets.mean(axis=0), scan.matrix[:2, 3]
-    spread = np.linalg.norm(targets - middle, axis=1).max()
-    return origin if np.linalg.norm(origin - middle) <= FARTHEST * spread else middle
+    """Return the station that saw the targets of a scan, or the middle of the targets if it is not known."""
+    station = _station(scan)
+    return _middle(scan) if station is None else station
+
+
+def _station(scan: ScanRegistration) -> Optional[np.ndarray]:
+    """Return the origin of a scan; None if that is far away, as it is in a cloud that was moved before."""
+    if scan.matrix is None:
+        return None
+    middle, origin = _middle(scan), scan.matrix[:2, 3]
+    spread = np.linalg.norm(_places(scan.correspondences) - middle, axis=1).max()
+    return origin if np.linalg.norm(origin - middle) <= FARTHEST * spread else None
+
+
+def _middle(scan: ScanRegistration) -> np.ndarray:
+    return _places(scan.correspondences).mean(axis=0)
 
 
 def _stations(scans: Sequence[ScanRegistration]) -> np.ndarray:
-    """Return the origins of scans that are stations; a cloud that was moved before has its anywhere."""
-    return np.array([scan.matrix[:2, 3] for scan in scans if (_hub(scan) == scan.matrix[:2, 3]).all()])
+    """Return the stations that are known, shape (n, 2)."""
+    stations = [_station(scan) for scan in scans]
+    return np.array([station for station in stations if station is not None]).reshape(-1, 2)
 
 
 def _split(items: Sequence[Item]) -> tuple[list[Item], list[Item]]:

@@ -34,6 +34,9 @@ class Flagged(NamedTuple):
 
 def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str, object]:
     """Return all that the template shows of a scan that was registered."""
+    if scan.test is None or scan.correlations is None:
+        raise ValueError(f"{scan.name} is not registered.")
+    limit = critical_tau(scan.test.redundancy)
     plan, plan_caption = scan_plan(scan, registration)
     components, lengths = residual_bars(scan)
     return {
@@ -48,12 +51,12 @@ def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str
         "lengths": lengths,
         "parameters": _parameters(scan),
         "parameter_names": [_spoken(item.name) for item in scan.estimates],
-        "correlations": _correlations(scan),
+        "correlations": _correlations(scan, scan.correlations),
         "residuals": _residuals(scan),
         "rejected": _rejected(scan),
         "rejected_rows": [row for row, item in enumerate(scan.correspondences) if not item.used],
-        "reliability": _reliability(scan),
-        "critical_tau": number(critical_tau(scan.test.redundancy), 2),
+        "reliability": _reliability(scan, limit),
+        "critical_tau": number(limit, 2),
     }
 
 
@@ -86,7 +89,7 @@ def _matched(scan: ScanRegistration) -> str:
     return " ".join(sentences)
 
 
-def _parameters(scan: ScanRegistration) -> list[tuple[str, ...]]:
+def _parameters(scan: ScanRegistration) -> list[tuple[str, str, str, str]]:
     rows = []
     for item in scan.estimates:
         unit, decimals = UNITS[item.name.split("_")[0]]
@@ -94,12 +97,12 @@ def _parameters(scan: ScanRegistration) -> list[tuple[str, ...]]:
     return rows
 
 
-def _correlations(scan: ScanRegistration) -> list[tuple[str, ...]]:
+def _correlations(scan: ScanRegistration, correlations: np.ndarray) -> list[tuple[str, ...]]:
     """Return the lower half of the matrix, without its diagonal."""
     names = [_spoken(item.name) for item in scan.estimates]
     return [
         (name, *(number(value, 2) for value in values[:place]), *[""] * (len(names) - 1 - place))
-        for place, (name, values) in enumerate(zip(names, scan.correlations))
+        for place, (name, values) in enumerate(zip(names, correlations))
         if place
     ]
 
@@ -125,9 +128,8 @@ def _rejected(scan: ScanRegistration) -> list[str]:
     ]
 
 
-def _reliability(scan: ScanRegistration) -> list[tuple[str, list[Flagged]]]:
-    """Return each target with its redundancy numbers, w, tau and minimal detectable biases."""
-    limit = critical_tau(scan.test.redundancy)
+def _reliability(scan: ScanRegistration, limit: float) -> list[tuple[str, list[Flagged]]]:
+    """Return each target with its redundancy numbers, w, tau up to a limit, and minimal detectable biases."""
     return [
         (
             item.target,

@@ -108,7 +108,7 @@ def test_holes_of_areas_stay_empty():
         drawn = sheet.svg()
     (filling,) = of_colour(drawn, "fill: #010203")
     rings = [numbers(part).reshape(-1, 2) for part in filling.get("d").split("M")[1:]]
-    areas = [np.sum(np.cross(ring, np.roll(ring, -1, axis=0))) for ring in rings]
+    areas = [np.linalg.det(np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)).sum() for ring in rings]
 
     assert "opacity: 0.5" in filling.get("style")
     assert areas[0] * areas[1] < 0
