@@ -13,6 +13,7 @@ from ichnograph.algorithms.site_plan.density.density_raster import (
     write_density,
 )
 from ichnograph.algorithms.site_plan.density.height_range import HeightRange
+from ichnograph.algorithms.site_plan.rooms.settings import RoomSettings
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import NO_ROOM, extract_walls, make_site_plan
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
@@ -96,7 +97,7 @@ def test_the_settings_reach_the_density_image_and_the_walls():
 def test_the_width_of_doors_decides_which_rooms_are_closed():
     cloud = cloud_of(points_of_house(GATE))
     assert len(make_site_plan(cloud, EVERYTHING).rooms) == 1
-    wider = make_site_plan(cloud, replace(EVERYTHING, door_width_m=2.1))
+    wider = make_site_plan(cloud, replace(EVERYTHING, rooms=RoomSettings(door_width_m=2.1)))
     assert len(wider.rooms) == 2
 
 
