@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from ..settings import judged, physical
+from ..settings import judged
 from .axes.settings import AxisSettings
 from .density.height_range import HeightRange
 from .density.settings import DensitySettings
@@ -32,8 +32,6 @@ class SitePlanSettings:
         Whether outlines are moved from the edges of pixels to the faces of the walls.
     with_axes, with_rooms : bool
         Whether axes and rooms are looked for.
-    door_width_m : float
-        Gaps in walls up to this width are bridged for rooms.
     density, walls, faces, axes, rooms
         Settings of the stages.
     """
@@ -46,7 +44,6 @@ class SitePlanSettings:
     refine: bool = True
     with_axes: bool = False
     with_rooms: bool = False
-    door_width_m: float = physical(1.3, "Door leaves are up to 1.25 m wide, corridors seldom below 1.3 m.")
     density: DensitySettings = field(default_factory=DensitySettings)
     walls: WallSettings = field(default_factory=WallSettings)
     faces: FaceSettings = field(default_factory=FaceSettings)

@@ -137,5 +137,5 @@ def _rooms(
     walls: tuple[Wall, ...], density: DensityImage, settings: SitePlanSettings, progress: Progress
 ) -> tuple[Room, ...]:
     outlines = [wall.outline for wall in walls]
-    rooms = find_rooms(outlines, settings.door_width_m, settings.rooms, progress)
+    rooms = find_rooms(outlines, settings.rooms, progress)
     return with_floors(rooms, density.ground, density.transform)

@@ -121,6 +121,7 @@ class SitePlanAlgorithm(Algorithm):
 
 def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
     """Return what the user chose."""
+    from ...algorithms.site_plan.rooms.settings import RoomSettings
     from ...algorithms.site_plan.settings import SitePlanSettings
 
     return SitePlanSettings(
@@ -132,7 +133,7 @@ def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
         refine=values["REFINE"],
         with_axes=values["AXES"] is not None,
         with_rooms=values["ROOMS"] is not None,
-        door_width_m=values["DOOR_WIDTH"],
+        rooms=RoomSettings(door_width_m=values["DOOR_WIDTH"]),
     )
 
 

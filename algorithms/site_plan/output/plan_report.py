@@ -209,7 +209,7 @@ def _run(settings: SitePlanSettings) -> dict[str, str]:
         "REFINE": "yes" if settings.refine else "no",
         **{name: f"{value:g} m" for name, value in limits.items() if np.isfinite(value)},
         **({"HEIGHTS": "above the local ground"} if heights.above_ground else {}),
-        **({"DOOR_WIDTH": f"{settings.door_width_m:g} m"} if settings.with_rooms else {}),
+        **({"DOOR_WIDTH": f"{settings.rooms.door_width_m:g} m"} if settings.with_rooms else {}),
     }
 
 

@@ -21,9 +21,6 @@ from ...progress import Progress
 from .doors import FLAT, trim
 from .settings import RoomSettings, SpaceSettings
 
-DOOR_WIDTH = 1.3
-"""Widest gap in metres that counts as a door: leaves are up to 1.25 m wide, corridors seldom narrower."""
-
 
 @dataclass(frozen=True)
 class Room:
@@ -59,7 +56,6 @@ class Room:
 
 def find_rooms(
     outlines: Iterable[Polygon],
-    door_width: float = DOOR_WIDTH,
     settings: RoomSettings = RoomSettings(),
     progress: Progress = Progress(),
 ) -> tuple[Room, ...]:
@@ -69,8 +65,6 @@ def find_rooms(
     ----------
     outlines : iterable of Polygon
         Walls, in world coordinates.
-    door_width : float
-        Gaps up to this width, in metres, are bridged.
     settings : RoomSettings
     progress : Progress
         Reports and cancels.
@@ -84,8 +78,8 @@ def find_rooms(
     if not outlines:
         return ()
     progress.update(0.0, "Triangulating the space between walls")
-    mesh = triangulate_outlines(outlines, settings.mesh, margin=2 * door_width)
-    spaces = _spaces(mesh, door_width, settings.spaces)
+    mesh = triangulate_outlines(outlines, settings.mesh, margin=2 * settings.door_width_m)
+    spaces = _spaces(mesh, settings.door_width_m, settings.spaces)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
     numbers, found = np.flatnonzero(spaces.is_room), []
     for done, number in enumerate(numbers):

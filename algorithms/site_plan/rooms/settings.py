@@ -30,8 +30,11 @@ class DoorSettings:
 
 @dataclass(frozen=True)
 class RoomSettings:
-    """The settings of rooms, by stage."""
+    """The settings of rooms: what the user chooses, and those of the stages."""
 
+    door_width_m: float = physical(
+        1.3, "Wider gaps open a room: door leaves are up to 1.25 m wide, corridors seldom below 1.3 m."
+    )
     mesh: OutlineMeshSettings = field(default_factory=OutlineMeshSettings)
     spaces: SpaceSettings = SpaceSettings()
     doors: DoorSettings = DoorSettings()

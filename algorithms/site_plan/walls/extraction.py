@@ -8,6 +8,7 @@ import numpy as np
 
 from ...errors import NothingFoundError
 from ...progress import Progress
+from ...settings import judged, physical
 from .closing import bridge_corners, close_gaps
 from .height_gate import Gate, Heights, make_gate
 from .regions import Criteria, Selection, select_regions
@@ -39,11 +40,11 @@ class WallParameters:
 
     threshold: Optional[float] = None
     min_area: Optional[float] = None
-    max_fill: float = 0.4
-    min_elongation: float = 3.0
+    max_fill: float = judged(0.4, "A curved wall covers much less than its bounding box (the paper).")
+    min_elongation: float = judged(3.0, "A straight wall is much longer than thick (the paper).")
     closing: Optional[float] = None
-    min_height: float = 0.4
-    threshold_steps: int = 10
+    min_height: float = physical(0.4, "Floors, beams and slab edges occupy less; low ruins occupy more.")
+    threshold_steps: int = judged(10, "Walls of any density stand out at one of so many thresholds.")
     threshold_max: Optional[float] = None
 
     def criteria(self, pixel_size: float) -> Criteria:

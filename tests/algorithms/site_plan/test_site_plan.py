@@ -9,11 +9,11 @@ from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.site_plan.density.density_image import density_image
 from ichnograph.algorithms.site_plan.density.density_raster import (
     NO_CRS,
-    DensityRaster,
     read_density,
     write_density,
 )
 from ichnograph.algorithms.site_plan.density.height_range import HeightRange
+from ichnograph.algorithms.site_plan.rooms.settings import RoomSettings
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import NO_ROOM, extract_walls, make_site_plan
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
@@ -97,7 +97,7 @@ def test_the_settings_reach_the_density_image_and_the_walls():
 def test_the_width_of_doors_decides_which_rooms_are_closed():
     cloud = cloud_of(points_of_house(GATE))
     assert len(make_site_plan(cloud, EVERYTHING).rooms) == 1
-    wider = make_site_plan(cloud, replace(EVERYTHING, door_width_m=2.1))
+    wider = make_site_plan(cloud, replace(EVERYTHING, rooms=RoomSettings(door_width_m=2.1)))
     assert len(wider.rooms) == 2
 
 
@@ -154,25 +154,9 @@ def test_the_raster_alone_gives_the_walls_of_pixels(tmp_path):
     assert found.warnings == (NO_CRS,)
 
 
-def test_the_sums_of_a_plan_are_those_of_its_walls():
-    raster, *_ = wall_tower_and_beam()
-    plan = extract_walls(raster, WallParameters())
-    assert len(plan.walls) == 2
-    assert plan.area == pytest.approx(sum(w.outline.area for w in plan.walls))
-    assert plan.length == pytest.approx(sum(w.length for w in plan.walls))
-
-
 def test_the_warnings_of_the_raster_come_before_those_of_the_gate():
     raster, *_ = wall_tower_and_beam()
     blind = replace(raster, heights=None, warnings=("A warning of the raster.",))
     first, second = extract_walls(blind, WallParameters()).warnings
     assert first == "A warning of the raster."
     assert "MIN_HEIGHT is not applied" in second
-
-
-def test_a_raster_of_a_density_image_holds_its_bands():
-    image = plan_of_house().density
-    raster = DensityRaster.of(image)
-    assert raster.density is image.density
-    assert raster.heights.hanging is image.hanging
-    assert (raster.transform, raster.crs, raster.warnings) == (image.transform, image.crs, image.warnings)

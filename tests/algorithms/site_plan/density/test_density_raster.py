@@ -7,7 +7,13 @@ from affine import Affine
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.raster import write_raster
 from ichnograph.algorithms.site_plan.density.density_image import DensityImage
-from ichnograph.algorithms.site_plan.density.density_raster import BANDS, read_density, write_density
+from ichnograph.algorithms.site_plan.density.density_raster import (
+    BANDS,
+    NO_CRS,
+    DensityRaster,
+    read_density,
+    write_density,
+)
 from rasterio.crs import CRS
 
 GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
@@ -30,6 +36,20 @@ def test_what_is_written_is_read_again(tmp_path):
     np.testing.assert_array_equal(raster.density, bands[0])
     for read, band in zip(vars(raster.heights).values(), bands[1:]):
         np.testing.assert_array_equal(read, band)
+
+
+def test_the_bands_of_an_image_are_taken_as_they_are():
+    bands = np.random.default_rng(0).random((7, 20, 30)).astype(np.float32)
+    image = DensityImage(*bands, GRID, CRS.from_epsg(25833), 10, 5, ("A warning.",))
+    raster = DensityRaster.of(image)
+    assert raster.density is image.density
+    assert raster.heights.hanging is image.hanging
+    assert (raster.transform, raster.crs, raster.warnings) == (GRID, CRS.from_epsg(25833), ("A warning.",))
+
+
+def test_a_raster_without_a_reference_system_is_a_warning(tmp_path):
+    assert read_density(write(tmp_path / "bare.tif", np.eye(4))).warnings == (NO_CRS,)
+    assert read_density(write(tmp_path / "utm.tif", np.eye(4), crs=CRS.from_epsg(25833))).warnings == ()
 
 
 def test_a_raster_of_an_older_version_is_read_without_the_later_bands(tmp_path):

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.algorithms.site_plan.rooms.settings import RoomSettings
 from ichnograph.tests.scenes import SCENES
 from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, Point, Polygon, box
@@ -48,7 +49,7 @@ def test_a_room_ends_at_the_face_of_the_wall_with_the_door(width):
 def test_a_gap_wider_than_a_door_opens_the_room():
     walls = house(door(2.0, 1.6))
     assert find_rooms(walls) == ()
-    (room,) = find_rooms(walls, door_width=1.7)
+    (room,) = find_rooms(walls, RoomSettings(door_width_m=1.7))
     assert room.area == pytest.approx(24.0, rel=1e-4)
 
 
