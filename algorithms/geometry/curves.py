@@ -123,11 +123,13 @@ class Arc:
 
     def ends(self, row: np.ndarray) -> np.ndarray:
         """Return the stations of the first and the last of a row of points, up to half a circle each way."""
+        return np.clip(self._ends(row), -np.pi * self.radius, np.pi * self.radius)
+
+    def _ends(self, row: np.ndarray) -> np.ndarray:
         x, y = (row - self.centre).T
         angle = self.sense * np.unwrap(np.arctan2(y, x))
         middle = len(row) // 2
-        ends = self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
-        return np.clip(ends, -np.pi * self.radius, np.pi * self.radius)
+        return self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
 
     def at(self, station: np.ndarray) -> np.ndarray:
         """Return the points at stations."""
@@ -145,11 +147,7 @@ class Arc:
 
     def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the arc from the first to the last of a row of points."""
-        angles = np.unwrap(np.arctan2(*(row - self.centre).T[::-1]))
-        step = 2 * np.arccos(1 - min(chord_m / self.radius, 0.5))
-        count = max(int(np.ceil(abs(angles[-1] - angles[0]) / step)), 1)
-        angles = np.linspace(angles[0], angles[-1], count + 1)
-        return self.centre + self.radius * np.column_stack([np.cos(angles), np.sin(angles)])
+        return self.run(*self._ends(row), chord_m)
 
     def heading(self, xy: np.ndarray) -> np.ndarray:
         """Return the direction of the arc beside points (n, 2)."""

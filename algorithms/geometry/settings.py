@@ -6,6 +6,13 @@ from ..settings import judged
 
 
 @dataclass(frozen=True)
+class CurveSettings:
+    """How arcs are drawn."""
+
+    chord_m: float = judged(0.002, "Chords lie no farther from their arc: less than the noise of a face.")
+
+
+@dataclass(frozen=True)
 class OutlineMeshSettings:
     """The triangles inside walls and around them."""
 

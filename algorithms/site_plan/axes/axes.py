@@ -252,7 +252,7 @@ def _drawn(
     first = _wall_end(piece.curve, piece.points, outline) if first is None else first
     last = _wall_end(piece.curve, piece.points[::-1], outline) if last is None else last
     row = np.concatenate([[first], piece.points, [last]])
-    corners = piece.curve.between(row, settings.chord_m)
+    corners = piece.curve.between(row, settings.curves.chord_m)
     if np.linalg.norm(corners[0] - first) <= settings.jog_m:
         corners = corners[1:]
     if np.linalg.norm(corners[-1] - last) <= settings.jog_m:

@@ -19,7 +19,7 @@ def redraw(
     if ring.closed:
         face = ring.faces[0]
         around = np.pi * face.curve.radius
-        return face.curve.run(-around, around, settings.chord_m)[:-1], [face]
+        return face.curve.run(-around, around, settings.curves.chord_m)[:-1], [face]
     faces, crossed = list(ring.faces), None
     while faces:
         ends, joints = _ends(faces, ring, settings)
@@ -98,7 +98,7 @@ def _corners(
     """Return the corners of the ring, and the number of the face that begins or continues at each."""
     parts, owner = [], []
     for k, face in enumerate(faces):
-        run = face.curve.run(*ends[k], settings.chord_m)
+        run = face.curve.run(*ends[k], settings.curves.chord_m)
         parts.append(run[:-1] if joints[k] else run)
         between, last = _between(face, faces[(k + 1) % len(faces)], ring), int(face.members[-1])
         if not joints[k] and between > 1 and between * ring.step > settings.chord_gap_m:

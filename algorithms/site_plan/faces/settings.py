@@ -1,9 +1,10 @@
 """The settings of the faces of walls: what a person may doubt, each with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...geometry.settings import CurveSettings
 from ...settings import judged, physical, statistical
 
 
@@ -126,7 +127,7 @@ class FaceOutlineSettings:
         0.75, "If dropping faces that cross leaves less of them, the crossing is kept."
     )
     bias_px: float = physical(0.5, "An outline of pixels lies half a pixel outside the face.")
-    chord_m: float = judged(0.002, "Chords lie no farther from their arc: less than the noise of a face.")
+    curves: CurveSettings = field(default_factory=CurveSettings)
 
 
 @dataclass(frozen=True)
