@@ -12,6 +12,8 @@ from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 from shapely.prepared import prep
 
+from ..geometry.settings import WallSizeSettings
+
 STEP = 0.02
 """Longest piece of a boundary that is measured as one, metres."""
 
@@ -21,7 +23,7 @@ NEIGHBOURS = 8
 CLASSES = (0.25, 0.5, 1.0)
 """Classes of offsets end at these shares of the tolerance."""
 
-THICKEST = 2.0
+THICKEST = WallSizeSettings().thickest_m
 """No wall is thicker, metres."""
 
 AGREES, WRONG, MISSING = "agrees", "wrong", "missing"

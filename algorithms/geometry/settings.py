@@ -2,7 +2,14 @@
 
 from dataclasses import dataclass
 
-from ..settings import judged
+from ..settings import judged, physical
+
+
+@dataclass(frozen=True)
+class WallSizeSettings:
+    """The sizes of walls."""
+
+    thickest_m: float = physical(3.0, "Opposite faces farther apart are not those of one wall.")
 
 
 @dataclass(frozen=True)

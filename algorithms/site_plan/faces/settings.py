@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...geometry.settings import CurveSettings
+from ...geometry.settings import CurveSettings, WallSizeSettings
 from ...settings import judged, physical, statistical
 
 
@@ -135,7 +135,7 @@ class MeasureSettings:
     """The measures of a wall by its faces."""
 
     step_m: float = judged(0.05, "Distance of the stations at which the thickness is measured.")
-    thickest_m: float = physical(3.0, "Opposite faces farther apart are not those of one wall.")
+    sizes: WallSizeSettings = field(default_factory=WallSizeSettings)
     square: float = judged(1.2, "Faces farther apart than so many times their length are a wall's two ends.")
     largest_cosine: float = judged(-0.97, "Faces that differ by more than 14 degrees are not parallel.")
     fewest_stations: int = judged(3, "A thickness from fewer stations is not sure.")
