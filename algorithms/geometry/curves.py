@@ -104,8 +104,8 @@ class Arc:
 
     centre: np.ndarray
     radius: float
-    sense: int = 1
-    zero: float = 0.0
+    sense: int
+    zero: float
 
     def station(self, xy: np.ndarray) -> np.ndarray:
         """Return how far along the arc points (n, 2) are, metres; within half a circle of the zero."""
@@ -119,7 +119,7 @@ class Arc:
 
     def distances(self, xy: np.ndarray) -> np.ndarray:
         """Return how far from the circle points (n, 2) are, metres."""
-        return np.abs(np.linalg.norm(xy - self.centre, axis=1) - self.radius)
+        return np.abs(self.offset(xy))
 
     def ends(self, row: np.ndarray) -> np.ndarray:
         """Return the stations of the first and the last of a row of points, up to half a circle each way."""
@@ -190,14 +190,6 @@ Curve = Union[Line, Arc]
 def line_through(xy: np.ndarray) -> Line:
     """Return the line of least squared distances from a row of points, shape (n, 2), in their order."""
     return Line(xy.mean(axis=0), xy[-1] - xy[0]).fitted(xy, np.ones(len(xy)))
-
-
-def fit_line(points: np.ndarray) -> Line:
-    """Return the line of least squared distances from points, shape (n, 2), n >= 2."""
-    middle = points.mean(axis=0)
-    axes = np.linalg.svd(points - middle, full_matrices=False)[2]
-    forward = axes[0] if (points[-1] - points[0]) @ axes[0] >= 0 else -axes[0]
-    return Line(middle, forward)
 
 
 def crossing(one: Curve, other: Curve, near: np.ndarray) -> Optional[np.ndarray]:
