@@ -147,7 +147,8 @@ class Arc:
 
     def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the arc from the first to the last of a row of points."""
-        return self.run(*self._ends(row), chord_m)
+        start, stop = self._ends(row)
+        return self.run(start, stop, chord_m)
 
     def heading(self, xy: np.ndarray) -> np.ndarray:
         """Return the direction of the arc beside points (n, 2)."""

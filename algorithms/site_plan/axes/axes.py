@@ -192,12 +192,12 @@ def _reach(
 def _length(points: np.ndarray, run: _Run) -> float:
     """Return the length of a run; a zigzag is as long as the line along it."""
     points = points[run.start : run.stop]
-    if run[2] is line_through:
+    if run.fit is line_through:
         return float(np.linalg.norm(points[-1] - points[0]))
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
-def _adjusted(points: np.ndarray, runs: list) -> list:
+def _adjusted(points: np.ndarray, runs: list[_Run]) -> list[_Run]:
     """Move the borders between adjacent runs to where they fit best: the longest run reaches too far."""
     runs = list(runs)
     for i in range(len(runs) - 1):
@@ -226,7 +226,8 @@ def _fitted(chain: Chain, run: _Run, tolerance: float) -> tuple[np.ndarray, np.n
     core = (along >= margin) & (along <= along[-1] - margin)
     if core.sum() < 3:
         core[:] = True
-    points, curve = points[core], line_through(points[core])
+    points = points[core]
+    curve: Curve = line_through(points)
     if curve.distances(points).max() > tolerance:
         curve = fit(points) or curve
     return points, chain.chords[start:stop][core], curve

@@ -96,7 +96,8 @@ def _corners(
     settings: FaceOutlineSettings,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners of the ring, and the number of the face that begins or continues at each."""
-    parts, owner = [], []
+    parts: list[np.ndarray] = []
+    owner: list[int] = []
     for k, face in enumerate(faces):
         run = face.curve.run(*ends[k], settings.curves.chord_m)
         parts.append(run[:-1] if joints[k] else run)
@@ -114,7 +115,7 @@ def _crossed(corners: np.ndarray) -> np.ndarray:
 
 
 @njit(nogil=True, cache=True)
-def _sweep(corners, order):
+def _sweep(corners: np.ndarray, order: np.ndarray) -> np.ndarray:
     """Return the edges that cross others; `order` is that of their western ends."""
     n = len(corners)
     crossed = np.zeros(n, np.bool_)
