@@ -151,7 +151,7 @@ def _before_unseen_faces(
     unseen = np.zeros(len(middles), dtype=bool)
     for number, (middle, outward) in enumerate(zip(middles, outwards)):
         if wall.contains(Point(middle)):
-            ray = LineString([middle, middle + settings.thickest_wall_m * outward])
+            ray = LineString([middle, middle + settings.sizes.thickest_m * outward])
             faces = ray.intersection(boundary)
             nearest = min(getattr(faces, "geoms", [faces]), key=Point(middle).distance, default=faces)
             unseen[number] = not nearest.is_empty and seen.distance(nearest) > settings.step_m

@@ -1,7 +1,8 @@
 """The constants of the evaluation, each with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from ..geometry.settings import WallSizeSettings
 from ..settings import judged, physical
 
 
@@ -30,9 +31,7 @@ class ComparisonSettings:
         8,
         "The nearest piece has one of the nearest middles; fewer may miss it where several lines meet.",
     )
-    thickest_wall_m: float = physical(
-        2.0, "Thicker walls are rare; farther away, a face belongs to another wall."
-    )
+    sizes: WallSizeSettings = field(default_factory=WallSizeSettings)
 
 
 @dataclass(frozen=True)

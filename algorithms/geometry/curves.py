@@ -104,8 +104,8 @@ class Arc:
 
     centre: np.ndarray
     radius: float
-    sense: int = 1
-    zero: float = 0.0
+    sense: int
+    zero: float
 
     def station(self, xy: np.ndarray) -> np.ndarray:
         """Return how far along the arc points (n, 2) are, metres; within half a circle of the zero."""
@@ -119,15 +119,17 @@ class Arc:
 
     def distances(self, xy: np.ndarray) -> np.ndarray:
         """Return how far from the circle points (n, 2) are, metres."""
-        return np.abs(np.linalg.norm(xy - self.centre, axis=1) - self.radius)
+        return np.abs(self.offset(xy))
 
     def ends(self, row: np.ndarray) -> np.ndarray:
         """Return the stations of the first and the last of a row of points, up to half a circle each way."""
+        return np.clip(self._ends(row), -np.pi * self.radius, np.pi * self.radius)
+
+    def _ends(self, row: np.ndarray) -> np.ndarray:
         x, y = (row - self.centre).T
         angle = self.sense * np.unwrap(np.arctan2(y, x))
         middle = len(row) // 2
-        ends = self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
-        return np.clip(ends, -np.pi * self.radius, np.pi * self.radius)
+        return self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
 
     def at(self, station: np.ndarray) -> np.ndarray:
         """Return the points at stations."""
@@ -145,11 +147,8 @@ class Arc:
 
     def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the arc from the first to the last of a row of points."""
-        angles = np.unwrap(np.arctan2(*(row - self.centre).T[::-1]))
-        step = 2 * np.arccos(1 - min(chord_m / self.radius, 0.5))
-        count = max(int(np.ceil(abs(angles[-1] - angles[0]) / step)), 1)
-        angles = np.linspace(angles[0], angles[-1], count + 1)
-        return self.centre + self.radius * np.column_stack([np.cos(angles), np.sin(angles)])
+        start, stop = self._ends(row)
+        return self.run(start, stop, chord_m)
 
     def heading(self, xy: np.ndarray) -> np.ndarray:
         """Return the direction of the arc beside points (n, 2)."""
@@ -192,14 +191,6 @@ Curve = Union[Line, Arc]
 def line_through(xy: np.ndarray) -> Line:
     """Return the line of least squared distances from a row of points, shape (n, 2), in their order."""
     return Line(xy.mean(axis=0), xy[-1] - xy[0]).fitted(xy, np.ones(len(xy)))
-
-
-def fit_line(points: np.ndarray) -> Line:
-    """Return the line of least squared distances from points, shape (n, 2), n >= 2."""
-    middle = points.mean(axis=0)
-    axes = np.linalg.svd(points - middle, full_matrices=False)[2]
-    forward = axes[0] if (points[-1] - points[0]) @ axes[0] >= 0 else -axes[0]
-    return Line(middle, forward)
 
 
 def crossing(one: Curve, other: Curve, near: np.ndarray) -> Optional[np.ndarray]:

@@ -2,7 +2,21 @@
 
 from dataclasses import dataclass
 
-from ..settings import judged
+from ..settings import judged, physical
+
+
+@dataclass(frozen=True)
+class WallSizeSettings:
+    """The sizes of walls."""
+
+    thickest_m: float = physical(3.0, "Opposite faces farther apart are not those of one wall.")
+
+
+@dataclass(frozen=True)
+class CurveSettings:
+    """How arcs are drawn."""
+
+    chord_m: float = judged(0.002, "Chords lie no farther from their arc: less than the noise of a face.")
 
 
 @dataclass(frozen=True)

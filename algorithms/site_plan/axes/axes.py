@@ -9,8 +9,8 @@ from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 
 from ...geometry.azimuths import line_azimuth
-from ...geometry.circles import fit_arc
-from ...geometry.curves import Curve, Line, fit_line
+from ...geometry.circles import arc_through
+from ...geometry.curves import Curve, Line, line_through
 from ...progress import Progress
 from .settings import AxisSettings, CentrelineSettings
 from .skeleton import Chain, skeleton_of
@@ -158,9 +158,9 @@ def _runs(points: np.ndarray, tolerance: float, width: float, settings: Centreli
     runs: list[_Run] = []
     start = 0
     while start < len(points) - 1:
-        run = _Run(start, _reach(points, start, fit_line, tolerance), fit_line)
-        curved = _Run(start, _reach(points, start, fit_arc, tolerance), fit_arc)
-        arc, length = fit_arc(points[curved.start : curved.stop]), _length(points, curved)
+        run = _Run(start, _reach(points, start, line_through, tolerance), line_through)
+        curved = _Run(start, _reach(points, start, arc_through, tolerance), arc_through)
+        arc, length = arc_through(points[curved.start : curved.stop]), _length(points, curved)
         if arc is not None and length > max(settings.curved * _length(points, run), 2 * width):
             run = curved if width < arc.radius < length / settings.bent_rad else run
         runs.append(run)
@@ -192,18 +192,21 @@ def _reach(
 def _length(points: np.ndarray, run: _Run) -> float:
     """Return the length of a run; a zigzag is as long as the line along it."""
     points = points[run.start : run.stop]
-    if run[2] is fit_line:
+    if run.fit is line_through:
         return float(np.linalg.norm(points[-1] - points[0]))
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
-def _adjusted(points: np.ndarray, runs: list) -> list:
+def _adjusted(points: np.ndarray, runs: list[_Run]) -> list[_Run]:
     """Move the borders between adjacent runs to where they fit best: the longest run reaches too far."""
     runs = list(runs)
     for i in range(len(runs) - 1):
         (a, b, fit), (c, d, other) = runs[i : i + 2]
         if b == c and min(b - a, d - c) > 3:
-            curves = (fit(points[a:b]) or fit_line(points[a:b]), other(points[c:d]) or fit_line(points[c:d]))
+            curves = (
+                fit(points[a:b]) or line_through(points[a:b]),
+                other(points[c:d]) or line_through(points[c:d]),
+            )
             off, beyond = (curve.distances(points[a:d]) for curve in curves)
             error = np.cumsum(off**2) + np.cumsum(beyond[::-1] ** 2)[::-1] - beyond**2
             border = a + 2 + int(np.argmin(error[2:-2]))
@@ -223,7 +226,8 @@ def _fitted(chain: Chain, run: _Run, tolerance: float) -> tuple[np.ndarray, np.n
     core = (along >= margin) & (along <= along[-1] - margin)
     if core.sum() < 3:
         core[:] = True
-    points, curve = points[core], fit_line(points[core])
+    points = points[core]
+    curve: Curve = line_through(points)
     if curve.distances(points).max() > tolerance:
         curve = fit(points) or curve
     return points, chain.chords[start:stop][core], curve
@@ -252,7 +256,7 @@ def _drawn(
     first = _wall_end(piece.curve, piece.points, outline) if first is None else first
     last = _wall_end(piece.curve, piece.points[::-1], outline) if last is None else last
     row = np.concatenate([[first], piece.points, [last]])
-    corners = piece.curve.between(row, settings.chord_m)
+    corners = piece.curve.between(row, settings.curves.chord_m)
     if np.linalg.norm(corners[0] - first) <= settings.jog_m:
         corners = corners[1:]
     if np.linalg.norm(corners[-1] - last) <= settings.jog_m:

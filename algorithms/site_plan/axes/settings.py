@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from ...geometry.settings import OutlineMeshSettings
+from ...geometry.settings import CurveSettings, OutlineMeshSettings
 from ...settings import judged, physical
 
 
@@ -29,7 +29,7 @@ class CentrelineSettings:
     one_face_m: float = physical(0.03, "A narrower outline is a face seen from one side.")
     loose: float = judged(1e-2, "Weight of where a junction was found against where the axes meet.")
     jog_m: float = judged(0.01, "An axis is bent to a junction that is nearer; else it makes a step.")
-    chord_m: float = judged(0.001, "Chords lie no farther from their arc: less than axes are sure.")
+    curves: CurveSettings = field(default_factory=CurveSettings)
 
 
 @dataclass(frozen=True)

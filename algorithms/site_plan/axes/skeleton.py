@@ -168,11 +168,16 @@ def _joined(chains: list[Chain], centres: np.ndarray) -> tuple[tuple[Chain, ...]
     ends = {end for chain in chains for end in (chain.start, chain.end) if end is not None}
     near = [c for c in chains if None not in (c.start, c.end) and c.start != c.end and c.length < c.width]
     number = {end: i for i, end in enumerate(sorted(ends))}
-    pairs = np.array([(number[c.start], number[c.end]) for c in near], dtype=int).reshape(-1, 2)
-    part = label_linked(*pairs.T, len(number)) if number else []
-    name = {None: None, **{end: int(part[i]) for end, i in number.items()}}
+    linked = [(number[c.start], number[c.end]) for c in near if c.start is not None and c.end is not None]
+    first, second = np.array(linked, dtype=int).reshape(-1, 2).T
+    part = label_linked(first, second, len(number)) if number else []
+    name = {end: int(part[i]) for end, i in number.items()}
+
+    def named(end: Optional[int]) -> Optional[int]:
+        return None if end is None else name[end]
+
     kept = tuple(
-        replace(c, start=name[c.start], end=name[c.end]) for c in chains if not any(c is n for n in near)
+        replace(c, start=named(c.start), end=named(c.end)) for c in chains if not any(c is n for n in near)
     )
     junctions = {
         one: np.mean([centres[end] for end in ends if name[end] == one], axis=0)

@@ -75,6 +75,8 @@ def fit_face(
     extent = settings.extent
     ridge = ridges.xy[members % len(ridges.xy)]
     curve = arc_through(ridge) if curved else line_through(ridge)
+    if curve is None:
+        return None
     start, stop = curve.ends(ridge)
     if stop <= start:
         return None

@@ -19,7 +19,7 @@ def redraw(
     if ring.closed:
         face = ring.faces[0]
         around = np.pi * face.curve.radius
-        return face.curve.run(-around, around, settings.chord_m)[:-1], [face]
+        return face.curve.run(-around, around, settings.curves.chord_m)[:-1], [face]
     faces, crossed = list(ring.faces), None
     while faces:
         ends, joints = _ends(faces, ring, settings)
@@ -96,9 +96,10 @@ def _corners(
     settings: FaceOutlineSettings,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners of the ring, and the number of the face that begins or continues at each."""
-    parts, owner = [], []
+    parts: list[np.ndarray] = []
+    owner: list[int] = []
     for k, face in enumerate(faces):
-        run = face.curve.run(*ends[k], settings.chord_m)
+        run = face.curve.run(*ends[k], settings.curves.chord_m)
         parts.append(run[:-1] if joints[k] else run)
         between, last = _between(face, faces[(k + 1) % len(faces)], ring), int(face.members[-1])
         if not joints[k] and between > 1 and between * ring.step > settings.chord_gap_m:
@@ -114,7 +115,7 @@ def _crossed(corners: np.ndarray) -> np.ndarray:
 
 
 @njit(nogil=True, cache=True)
-def _sweep(corners, order):
+def _sweep(corners: np.ndarray, order: np.ndarray) -> np.ndarray:
     """Return the edges that cross others; `order` is that of their western ends."""
     n = len(corners)
     crossed = np.zeros(n, np.bool_)

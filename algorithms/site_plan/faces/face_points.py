@@ -117,7 +117,18 @@ def _window(image: DensityImage, walls: np.ndarray, settings: FacePointSettings)
 
 
 @njit(nogil=True, cache=True)
-def _levels(near, ground, xyz, x0, y0, step, lattice, low, high, level_height):
+def _levels(
+    near: np.ndarray,
+    ground: np.ndarray,
+    xyz: np.ndarray,
+    x0: int,
+    y0: int,
+    step: int,
+    lattice: float,
+    low: float,
+    high: float,
+    level_height: float,
+) -> np.ndarray:
     """Return the level of each point above the ground, -1 where it is not used."""
     level = np.full(len(xyz), -1, np.int64)
     for i in range(len(xyz)):

@@ -8,7 +8,7 @@ wall.
 
 from collections import namedtuple
 from dataclasses import astuple, fields
-from typing import NamedTuple
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -16,7 +16,8 @@ from numba import njit
 from ...geometry.robust import sigma_of_residuals
 from .settings import SegmentSettings
 
-_Numbers = namedtuple("_Numbers", [item.name for item in fields(SegmentSettings)])
+_make: Callable[..., Any] = namedtuple
+_Numbers = _make("_Numbers", [item.name for item in fields(SegmentSettings)])
 """The settings as the kernels take them."""
 
 
@@ -77,7 +78,7 @@ def _moments(points: np.ndarray, directions: np.ndarray) -> np.ndarray:
 
 
 @njit(nogil=True, cache=True)
-def _cheapest(sums, sigma, numbers):
+def _cheapest(sums: np.ndarray, sigma: float, numbers: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return where the last segment before each end starts, and its kind: 0 omitted, 1 straight, 2 curved."""
     n = len(sums) - 1
     cost = np.full(n + 1, np.inf)
@@ -100,7 +101,7 @@ def _cheapest(sums, sigma, numbers):
 
 
 @njit(nogil=True, cache=True)
-def _line_misfit(m, sigma, numbers):
+def _line_misfit(m: np.ndarray, sigma: float, numbers: Any) -> float:
     """Return what points and directions cost on the best line."""
     n = m[0]
     xx, xy, yy = m[3] - m[1] * m[1] / n, m[4] - m[1] * m[2] / n, m[5] - m[2] * m[2] / n
@@ -109,7 +110,7 @@ def _line_misfit(m, sigma, numbers):
 
 
 @njit(nogil=True, cache=True)
-def _circle_misfit(m, sigma, numbers):
+def _circle_misfit(m: np.ndarray, sigma: float, numbers: Any) -> float:
     """Return what points and directions cost on the best circle (Kasa 1976); infinite without one."""
     n = m[0]
     mx, my, mz = m[1] / n, m[2] / n, m[8] / n

@@ -7,6 +7,7 @@ centred half a pixel inside.
 
 from collections import namedtuple
 from dataclasses import astuple, dataclass, fields
+from typing import Any, Callable
 
 import numpy as np
 from numba import njit
@@ -17,7 +18,8 @@ from .settings import RidgeSettings
 MOST = 1 << 15
 """Most voxels of a window that are looked at; only foliage fills one with more."""
 
-_Numbers = namedtuple("_Numbers", [item.name for item in fields(RidgeSettings)])
+_make: Callable[..., Any] = namedtuple
+_Numbers = _make("_Numbers", [item.name for item in fields(RidgeSettings)])
 """The settings as the kernels take them."""
 
 
@@ -89,8 +91,20 @@ def find_ridges(
 
 @njit(nogil=True, cache=True)
 def _find(
-    points, level, square, columns, stations, tangents, pixel, turns, enough, numbers, found, ridge, direction
-):
+    points: np.ndarray,
+    level: np.ndarray,
+    square: np.ndarray,
+    columns: int,
+    stations: np.ndarray,
+    tangents: np.ndarray,
+    pixel: float,
+    turns: np.ndarray,
+    enough: int,
+    numbers: Any,
+    found: np.ndarray,
+    ridge: np.ndarray,
+    direction: np.ndarray,
+) -> None:
     """Fill `found`, `ridge` and `direction` for each station."""
     local = np.empty((MOST, 2))
     levels = np.empty(MOST, np.int64)
@@ -113,7 +127,19 @@ def _find(
 
 
 @njit(nogil=True, cache=True)
-def _collect(points, level, square, columns, x, y, tx, ty, reach, local, levels):
+def _collect(
+    points: np.ndarray,
+    level: np.ndarray,
+    square: np.ndarray,
+    columns: int,
+    x: float,
+    y: float,
+    tx: float,
+    ty: float,
+    reach: float,
+    local: np.ndarray,
+    levels: np.ndarray,
+) -> int:
     """Note the voxels around a station, along and across its tangent; return their number."""
     count = 0
     column, row = int(np.floor(x / SQUARE)) + 1, int(np.floor(y / SQUARE)) + 1
@@ -131,7 +157,7 @@ def _collect(points, level, square, columns, x, y, tx, ty, reach, local, levels)
 
 
 @njit(nogil=True, cache=True)
-def _best_line(local, turns, pixel, numbers):
+def _best_line(local: np.ndarray, turns: np.ndarray, pixel: float, numbers: Any) -> tuple[float, float]:
     """Return turn and offset of the line with most voxels; of two parallel ones, of the outer if strong."""
     half, cell_m = numbers.across_px * pixel, numbers.cell_m
     cells = int(np.ceil(2 * half / cell_m)) + 4
@@ -164,7 +190,15 @@ def _best_line(local, turns, pixel, numbers):
 
 
 @njit(nogil=True, cache=True)
-def _fit(local, levels, turn, offset, pixel, enough, numbers):
+def _fit(
+    local: np.ndarray,
+    levels: np.ndarray,
+    turn: float,
+    offset: float,
+    pixel: float,
+    enough: int,
+    numbers: Any,
+) -> tuple[bool, float, float]:
     """Fit the line to the voxels in its band; return whether it is a ridge, its turn and its offset."""
     count, seen, spread = 0, 0, 0.0
     for _ in range(3):
@@ -195,7 +229,7 @@ def _fit(local, levels, turn, offset, pixel, enough, numbers):
 
 
 @njit(nogil=True, cache=True)
-def _beside(local, turn, offset, numbers):
+def _beside(local: np.ndarray, turn: float, offset: float, numbers: Any) -> float:
     """Return the mean distance from the line of the voxels right beside the station."""
     c, s = np.cos(turn), np.sin(turn)
     count, total = 0, 0.0

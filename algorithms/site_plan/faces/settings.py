@@ -1,9 +1,10 @@
 """The settings of the faces of walls: what a person may doubt, each with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from ...geometry.settings import CurveSettings, WallSizeSettings
 from ...settings import judged, physical, statistical
 
 
@@ -126,7 +127,7 @@ class FaceOutlineSettings:
         0.75, "If dropping faces that cross leaves less of them, the crossing is kept."
     )
     bias_px: float = physical(0.5, "An outline of pixels lies half a pixel outside the face.")
-    chord_m: float = judged(0.002, "Chords lie no farther from their arc: less than the noise of a face.")
+    curves: CurveSettings = field(default_factory=CurveSettings)
 
 
 @dataclass(frozen=True)
@@ -134,7 +135,7 @@ class MeasureSettings:
     """The measures of a wall by its faces."""
 
     step_m: float = judged(0.05, "Distance of the stations at which the thickness is measured.")
-    thickest_m: float = physical(3.0, "Opposite faces farther apart are not those of one wall.")
+    sizes: WallSizeSettings = field(default_factory=WallSizeSettings)
     square: float = judged(1.2, "Faces farther apart than so many times their length are a wall's two ends.")
     largest_cosine: float = judged(-0.97, "Faces that differ by more than 14 degrees are not parallel.")
     fewest_stations: int = judged(3, "A thickness from fewer stations is not sure.")

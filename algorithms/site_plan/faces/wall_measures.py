@@ -71,7 +71,7 @@ def measure(
 
 def _thicknesses(faces: Sequence[Face], outline: Polygon, settings: MeasureSettings) -> np.ndarray:
     """Return the distances from stations on the faces to the nearest face behind them, through the wall."""
-    inside, thickest = prep(outline), settings.thickest_m
+    inside, thickest = prep(outline), settings.sizes.thickest_m
     low, high = (np.array([bound(face.ridge, axis=0) for face in faces]) for bound in (np.min, np.max))
     found = []
     for k, face in enumerate(faces):

@@ -31,14 +31,15 @@ def trim(room: Polygon, gaps: np.ndarray, settings: DoorSettings = DoorSettings(
     ]
     room = Polygon(rings[0], rings[1:])
     for gap in gaps:
-        for i, ring in enumerate(rings):
+        for i, ring in enumerate(list(rings)):
             start = _find(ring, gap)
             if start is None:
                 continue
             trimmed = _moved(np.roll(ring, -start, axis=0), room, settings)
-            shell, *holes = [*rings[:i], trimmed, *rings[i + 1 :]]
-            if Polygon(shell, holes).is_valid:
-                rings[i], room = trimmed, Polygon(shell, holes)
+            changed = [*rings[:i], trimmed, *rings[i + 1 :]]
+            candidate = Polygon(changed[0], changed[1:])
+            if candidate.is_valid:
+                rings, room = changed, candidate
     return room.simplify(FLAT)
 
 

@@ -160,7 +160,7 @@ def _spaces(mesh: OutlineMesh, door_width: float, settings: SpaceSettings) -> _S
     narrow = narrow[np.argsort(-sides.lengths[narrow], kind="stable")]
     pairs = part[np.column_stack([sides.first, sides.second])[narrow]]
     lengths = sides.lengths[narrow].tolist()
-    apart = [not merged.join(*pair, length) for pair, length in zip(pairs.tolist(), lengths)]
+    apart = [not merged.join(a, b, length) for (a, b), length in zip(pairs.tolist(), lengths)]
     root = np.array([merged.root(i) for i in range(count)])
     label = np.where(mesh.wall, -1, root[part])
     is_outside = np.isinf(merged.width)

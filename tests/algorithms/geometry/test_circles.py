@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.geometry.circles import arc_through, fit_arc, fit_circle_on_axis
+from ichnograph.algorithms.geometry.circles import arc_through, fit_circle_on_axis
 
 
 def row(start, stop, radius=2.0, centre=(412_300.0, 5_812_700.0), count=30):
@@ -13,13 +13,13 @@ def row(start, stop, radius=2.0, centre=(412_300.0, 5_812_700.0), count=30):
 
 @pytest.mark.parametrize("stop", [40, 200, 350])
 def test_a_circle_is_fitted_at_grid_coordinates(stop):
-    arc = fit_arc(row(0, stop))
+    arc = arc_through(row(0, stop))
     assert arc.centre == pytest.approx([412_300.0, 5_812_700.0], abs=1e-6)
     assert arc.radius == pytest.approx(2.0, abs=1e-6)
 
 
 def test_points_on_a_line_have_no_circle():
-    assert fit_arc(np.column_stack([np.arange(5.0), 2 * np.arange(5.0)])) is None
+    assert arc_through(np.column_stack([np.arange(5.0), 2 * np.arange(5.0)])) is None
 
 
 @pytest.mark.parametrize(("start", "stop", "sense"), [(170, 250, 1), (250, 170, -1)])

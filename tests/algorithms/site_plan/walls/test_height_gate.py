@@ -1,12 +1,10 @@
-"""Foliage is told from walls by how its points spread over the plan."""
+"""Foliage is separated from walls by how its points spread over the plan."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.density.density_image import density_image
-from ichnograph.algorithms.site_plan.density.settings import SpreadSettings
-from ichnograph.algorithms.site_plan.density.spread import spread_of
 from ichnograph.tests.algorithms.site_plan.site import (
     band_at,
     cloud_of,
@@ -17,7 +15,6 @@ from ichnograph.tests.algorithms.site_plan.site import (
     upright,
 )
 
-PARTS = SpreadSettings().parts
 GROUND = level((0, 8), (0, 6), 0.0)
 WALL = upright((1, 2), (7, 2), 0.0, 2.2)
 
@@ -26,24 +23,6 @@ def tall_share(points, asked, degrees=0.0):
     """Return the share of the places asked for, at a metre's height, that may be wall."""
     image = density_image(cloud_of(turned(points, degrees)))
     return band_at(image, gate_of(image).tall, turned(asked, degrees)).mean()
-
-
-def test_points_above_one_another_are_spread_over_the_part_they_stand_in():
-    parts = np.zeros((PARTS, PARTS), np.uint8)
-    parts[1] = 20
-    assert spread_of(parts).item() == pytest.approx(1 / PARTS, rel=0.05)
-
-
-@pytest.mark.parametrize("per_part", [1, 10, 200])
-def test_strewn_points_are_spread_over_all_of_a_pixel_whatever_their_number(per_part):
-    parts = np.random.default_rng(0).poisson(per_part, (50 * PARTS, 50 * PARTS)).astype(np.uint8)
-    assert np.nanmedian(spread_of(parts)) > 0.9
-
-
-def test_of_few_points_it_is_not_known_how_they_spread():
-    parts = np.zeros((PARTS, PARTS), np.uint8)
-    parts[0, 0] = 7
-    assert np.isnan(spread_of(parts)).all()
 
 
 def test_a_bush_in_the_open_is_no_wall():
