@@ -22,7 +22,7 @@ class MissingPackageError(InputError):
         What cannot be done with it.
     """
 
-    def __init__(self, what: str, modules: tuple, done: str = "read") -> None:
+    def __init__(self, what: str, modules: tuple[str, ...], done: str = "read") -> None:
         super().__init__(f"{what} cannot be {done} without {' and '.join(modules)}; install what is missing.")
         self.what = what
         self.modules = modules

@@ -134,6 +134,8 @@ def _log(registration: "Registration", log: Log) -> None:
 
 
 def _line(scan: "ScanRegistration") -> str:
+    """Return what the log says of a registered scan."""
+    assert scan.test is not None
     used = [item for item in scan.correspondences if item.used]
     longest = 1000 * max(item.length for item in used)
     chance = "" if scan.chance is None else f", {scan.chance:.1g} accidental matches expected"
