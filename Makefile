@@ -12,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade facade-peers constants house house-picture
+.PHONY: facade facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -123,6 +123,9 @@ facade: setup  ## Print how well the details of simulated facades are measured
 
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
+
+sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
 
 constants: setup  ## Write docs/constants.md, the page of all constants with their reasons
 	$(RUN) -m ichnograph.scripts.constants_page

@@ -99,7 +99,12 @@ class Tally:
 
 def ours(scene: TargetScene) -> Answer:
     """Register with the true noise as SIGMA, and defaults."""
-    (scan,) = register_scans(scene.control, [scene.targets], Settings(sigma=NOISE)).scans
+    return registered(scene, Settings(sigma=NOISE))
+
+
+def registered(scene: TargetScene, settings: Settings) -> Answer:
+    """Register with settings."""
+    (scan,) = register_scans(scene.control, [scene.targets], settings).scans
     if not scan.registered:
         return Answer({}, reason=scan.status)
     labels, rejected = (
