@@ -19,7 +19,7 @@ class LowestSurface:
     grid : Grid
         The ground cells; rows of the arrays count from the bottom.
     height : ndarray of float64, shape (rows, columns)
-        Metres; nan where there is no point.
+        Metres; nan without points.
     clear : ndarray of bool, shape (rows, columns)
         Whether there are fewer points right above the layer than in it, as above a ground.
     """

@@ -1,4 +1,4 @@
-"""Outlines on the faces of the walls, in place of outlines of pixels (beyond the paper)."""
+"""Outlines on the faces of the walls, instead of outlines of pixels (beyond the paper)."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -26,7 +26,7 @@ class RingFaces:
         Distance of the stations, metres.
     faces : tuple of Face
     closed : bool
-        Whether a single face goes all the way round.
+        Whether a single face runs all the way round.
     """
 
     stations: Stations
@@ -56,7 +56,7 @@ def find_faces(
 
     fitted = [face for face in (fit(*segment) for segment in segments) if face is not None]
     faces = tuple(_joined(fitted, fit, round(settings.rings.gap_m / step), settings.rings))
-    return RingFaces(stations, step, faces, _goes_round(faces, count, step, settings.rings))
+    return RingFaces(stations, step, faces, _is_closed(faces, count, step, settings.rings))
 
 
 def _segments(
@@ -102,8 +102,8 @@ def _join(one: Face, other: Face, fit: Fit, gap: int, settings: RingSettings) ->
     return joined if max(joined.rms, shift) <= settings.worse * apart else None
 
 
-def _goes_round(faces: tuple[Face, ...], count: int, step: float, settings: RingSettings) -> bool:
-    """Return whether a single round face goes all the way round a ring of so many stations."""
+def _is_closed(faces: tuple[Face, ...], count: int, step: float, settings: RingSettings) -> bool:
+    """Return whether a single round face runs all the way round a ring of so many stations."""
     if len(faces) != 1:
         return False
     free = count - (faces[0].members[-1] - faces[0].members[0])

@@ -40,7 +40,7 @@ def tall_at(points, asked, degrees=0.0):
 
 
 @pytest.mark.parametrize("degrees", [0.0, 28.0])
-def test_a_cupboard_before_a_wall_goes_and_the_wall_behind_is_seen_above_it(degrees):
+def test_a_cupboard_before_a_wall_is_removed_and_the_wall_behind_is_seen_above_it(degrees):
     points, far = room()
     cupboard = box((2, 3.2), (4.4, 4.9), 0, 2.1)
     points = np.concatenate([without(points, (2, 3.2), (4.4, 5.1), 2.15), cupboard])

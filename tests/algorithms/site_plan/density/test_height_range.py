@@ -20,7 +20,7 @@ UPPER = 3.3
 
 
 def storeys():
-    """Return two storeys, and the partition of each, which stand at different places."""
+    """Return two storeys, and the partition of each, which do not stand above each other."""
     parts = []
     for floor, ceiling in ((0.0, UPPER - 0.3), (UPPER, UPPER + 2.7)):
         corners = [(0, 0), (8, 0), (8, 5), (0, 5), (0, 0)]

@@ -124,7 +124,7 @@ def test_the_front_of_a_face_is_where_the_ground_was_seen():
     assert from_south.outline.centroid.y > -0.2 > from_north.outline.centroid.y
 
 
-def test_rubble_is_outlined_by_its_mean_face_and_rms_tells_its_relief():
+def test_rubble_is_outlined_by_its_mean_face_and_its_rms_is_its_relief():
     truth = masonry([(0, 0), (8, 0)], 0.6)
     faces = faces_of(truth)
     stone = np.floor(faces[:, :3] / (0.2, 0.7, 0.15)).astype(int) @ (1, 40, 80) % 997
@@ -154,7 +154,7 @@ def test_where_nothing_is_known_of_the_faces_the_outline_of_pixels_is_freed_of_i
     assert wall.outline.equals(pixels.outline.buffer(-0.05, join_style=2))
 
 
-def test_a_cloud_without_heights_serves_too():
+def test_a_cloud_without_heights_has_faces_too():
     truth = masonry([(0, 0), (5, 0)], 0.3)
     points = scattered(faces_of(truth))
     points[:, 2] = 0.0
@@ -169,10 +169,10 @@ def test_a_beam_beside_a_wall_is_no_face():
     assert offset(wall.outline, truth) < 0.01
 
 
-def test_strangers_before_a_face_do_not_move_it():
+def test_clutter_before_a_face_does_not_move_it():
     truth = masonry([(0, 0), (5, 0)], 0.3)
-    stranger = scattered(faces_of(box(2.0, -0.45, 2.6, -0.2), height=1.0))
-    _, (wall,) = refined(np.concatenate([scattered(faces_of(truth)), stranger]))
+    clutter = scattered(faces_of(box(2.0, -0.45, 2.6, -0.2), height=1.0))
+    _, (wall,) = refined(np.concatenate([scattered(faces_of(truth)), clutter]))
     _, low, _, high = wall.outline.intersection(box(3, -1, 4, 1)).bounds
     assert (low, high) == pytest.approx((-0.15, 0.15), abs=0.002)
 

@@ -25,13 +25,13 @@ def tall_share(points, asked, degrees=0.0):
     return band_at(image, gate_of(image).tall, turned(asked, degrees)).mean()
 
 
-def test_a_bush_in_the_open_is_no_wall():
+def test_a_bush_in_the_open_is_not_a_wall():
     bush = foliage((3, 4.5), (3, 4.5), 1.5)
     assert tall_share(np.concatenate([GROUND, bush]), bush) < 0.05
 
 
 @pytest.mark.parametrize("degrees", [0.0, 31.0])
-def test_a_bush_at_a_wall_leaves_the_wall_and_goes(degrees):
+def test_a_bush_at_a_wall_is_removed_and_the_wall_is_kept(degrees):
     bush = foliage((3, 4.5), (2.0, 3.0), 1.5)
     points = np.concatenate([GROUND, WALL, bush])
     assert tall_share(points, WALL, degrees) > 0.98
