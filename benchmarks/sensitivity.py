@@ -6,8 +6,9 @@ make sensitivity, or: python3 -m ichnograph.benchmarks.sensitivity [site_plan fa
 Scores are shares between 0 and 1: of the site plan, the mean of completeness and correctness at 5 cm and the
 share of rooms with the right area; of facades, the share of details found, less those invented, and of sizes
 within 1 cm; of the registration, the share of scenes with the right answer. Printed are the changes of the
-mean score in percent, and the largest change on a single scene. "no effect" means that every result is the same to
-the last digit; such a constant is a candidate for deletion, unless it guards against what no scene holds.
+mean score in percent, and the largest change on a single scene. "no effect" means that every result is the
+same to the last digit; such a constant is a candidate for deletion, unless it guards against what no scene
+holds.
 """
 
 import argparse
