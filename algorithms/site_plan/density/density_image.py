@@ -12,25 +12,22 @@ from typing import Optional
 
 import numpy as np
 from affine import Affine
-from numba import njit
 from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
 from ...clouds.tiles.lattice import LATTICE, to_lattice
-from ...clouds.tiles.tile_store import Tile, TileStore, fill, stray_warning
+from ...clouds.tiles.tile_store import TileStore, fill, stray_warning
 from ...errors import InputError
 from ...progress import Progress
 from ..walls.height_gate import Heights
+from .bands import Bands, occupied_bins
 from .ceiling import hanging_height
 from .grid import Grid, make_grid, site_tiles
 from .ground import LowestSurface, at_pixels, ground_surface
 from .height_range import HeightRange, cut
 from .settings import DensitySettings, HeightWindowSettings
-from .spread import count_in_parts, spread_of
-
-ALL_BINS = 64
-"""Number of bins that a word notes: up to 6.7 m above the local ground, for the ceiling."""
+from .spread import spread_of
 
 
 @dataclass(frozen=True)
@@ -171,20 +168,20 @@ def sort_and_image(
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1, settings.site)
         is_cut = math.isfinite(heights.low) and not heights.above_ground
         ground = ground_surface(surface, is_cut, settings.ground)
-        layers = _Layers(grid, at_pixels(ground, surface.grid, grid), settings)
+        bands = Bands(grid, at_pixels(ground, surface.grid, grid), settings)
         if heights.is_limited and heights.above_ground:
-            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, layers.ground)
-            layers.ground += max(heights.low, 0.0)
+            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, bands.ground)
+            bands.ground += max(heights.low, 0.0)
         kept = 0
         for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0)):
-            layers.add(tile, rows, neighbourhood)
+            bands.add(tile, rows, neighbourhood)
             kept += len(rows)
         warnings = (
             *cloud.warnings,
             *stray_warning(cloud, stray, store.point_count),
             *_doubts(high - low, spacing, pixel_size),
         )
-        image = _image(layers, cloud.crs, store.point_count, kept, warnings)
+        image = _image(bands, cloud.crs, store.point_count, kept, warnings)
         yield image, SortedPoints(store, keys, grid)
 
 
@@ -218,114 +215,28 @@ def _survey(
     return np.min(least, axis=0), np.max(most, axis=0), surface
 
 
-class _Layers:
-    """Accumulators of the bands; rows count from the bottom."""
-
-    def __init__(self, grid: Grid, ground: np.ndarray, settings: DensitySettings) -> None:
-        self.grid, self.settings = grid, settings
-        self.ground = ground
-        self.density = np.zeros(grid.shape)
-        self.bits = np.zeros(grid.shape, np.uint64)
-        parts = settings.spread.parts
-        self.parts = np.zeros((grid.height * parts, grid.width * parts), np.uint8)
-        self.base = np.full(grid.shape, np.inf, np.float32)
-        self.top = np.full(grid.shape, -np.inf, np.float32)
-
-    def add(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
-        """Spread the kept points of a tile, and note the heights of all."""
-        x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
-        chosen = tile.xyz[kept]
-        _spread(self.density, chosen, x0, y0, self.grid.step, neighbourhood)
-        window, step = self.settings.window, self.grid.step
-        limits = window.lowest_m, window.highest_m, self.settings.spread.parts
-        count_in_parts(self.parts, self.ground, chosen, x0, y0, step, LATTICE, *limits)
-        heights = (self.ground, self.bits, self.base, self.top)
-        _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
-
-
-@njit(nogil=True, cache=True)
-def _spread(density: np.ndarray, xyz: np.ndarray, x0: int, y0: int, step: int, neighbourhood: int) -> None:
-    """Add each point with weights inverse to the distances from the pixel centres, of sum 1."""
-    width = 2 * neighbourhood + 1
-    weights = np.empty((width, width))
-    for i in range(len(xyz)):
-        x, y = (xyz[i, 0] + x0) / step, (xyz[i, 1] + y0) / step
-        column, row = int(np.floor(x)), int(np.floor(y))
-        x -= column + 0.5
-        y -= row + 0.5
-        if x == 0.0 and y == 0.0:
-            density[row, column] += 1.0
-            continue
-        for r in range(width):
-            for c in range(width):
-                weights[r, c] = 1.0 / np.hypot(x - (c - neighbourhood), y - (r - neighbourhood))
-        weights /= weights.sum()
-        for r in range(width):
-            for c in range(width):
-                density[row + r - neighbourhood, column + c - neighbourhood] += weights[r, c]
-
-
-@njit(nogil=True, cache=True)
-def _stack(
-    ground: np.ndarray,
-    bits: np.ndarray,
-    base: np.ndarray,
-    top: np.ndarray,
-    xyz: np.ndarray,
-    x0: int,
-    y0: int,
-    step: int,
-    lattice: float,
-    low: float,
-    bins: int,
-    bin_height: float,
-) -> None:
-    """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
-    for i in range(len(xyz)):
-        column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
-        z = xyz[i, 2] * lattice
-        base[row, column] = min(base[row, column], z)
-        top[row, column] = max(top[row, column], z)
-        level = (z - ground[row, column] - low) / bin_height
-        if 0 <= level < bins:
-            bits[row, column] |= np.uint64(1) << np.uint64(level)
-
-
-def _occupied_bins(bits: np.ndarray, count: int) -> np.ndarray:
-    """Count the lowest bins that hold a point, and the one or two empty ones between two that do.
-
-    A distant wall is hit by scan lines farther apart than a bin is high.
-    """
-    one, two = np.uint64(1), np.uint64(2)
-    bits = bits & np.uint64((1 << count) - 1)
-    between = (bits << one) & (bits >> one)
-    between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
-    bits = bits | between
-    return sum((bits >> np.uint64(k)) & one for k in range(count))
-
-
 def _image(
-    layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple[str, ...]
+    bands: Bands, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple[str, ...]
 ) -> DensityImage:
-    window = layers.settings.window
-    counts = _occupied_bins(layers.bits, window.bins)
+    window = bands.settings.window
+    counts = occupied_bins(bands.bits, window.bins)
 
     def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
         return np.where(valid, band, np.nan).astype(np.float32)[::-1]
 
-    held = np.isfinite(layers.base)
-    pixel_size = layers.grid.step * LATTICE
+    held = np.isfinite(bands.base)
+    pixel_size = bands.grid.step * LATTICE
     heights = window.lowest_m, window.bin_m, pixel_size
-    hanging = hanging_height(layers.bits, held, *heights, layers.settings.ceiling)
+    hanging = hanging_height(bands.bits, held, *heights, bands.settings.ceiling)
     return DensityImage(
-        density=top_down(layers.density, layers.density > 0),
-        occupied=top_down(counts * window.bin_m, layers.density > 0),
-        base=top_down(layers.base, held),
-        top=top_down(layers.top, held),
-        ground=layers.ground[::-1].astype(np.float32),
-        spread=spread_of(layers.parts, layers.settings.spread)[::-1],
+        density=top_down(bands.density, bands.density > 0),
+        occupied=top_down(counts * window.bin_m, bands.density > 0),
+        base=top_down(bands.base, held),
+        top=top_down(bands.top, held),
+        ground=bands.ground[::-1].astype(np.float32),
+        spread=spread_of(bands.parts, bands.settings.spread)[::-1],
         hanging=hanging[::-1],
-        transform=layers.grid.transform,
+        transform=bands.grid.transform,
         crs=crs,
         points_in=points_in,
         points_kept=kept,
