@@ -1,6 +1,7 @@
 # The Python of QGIS, which is the distribution's.
 PYTHON ?= /usr/bin/python3
-TOOLS = ruff==0.17.* bandit==1.* detect-secrets==1.5.*
+# The last mypy that checks against Python 3.9.
+TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.*
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
@@ -66,9 +67,10 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, make the
 test: setup lint  ## Check the style and run all tests
 	$(RUN) -m pytest
 
-lint: .tools/installed  ## Check style and security as the plugin repository does
+lint: .tools/installed .plugins/ichnograph  ## Check style, types, and security as the plugin repository does
 	.tools/bin/ruff check
 	.tools/bin/ruff format --check
+	.tools/bin/mypy
 	.tools/bin/bandit -q -r algorithms processing_provider plugin.py __init__.py
 	@# Files that are staged to be deleted are listed, but gone.
 	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook

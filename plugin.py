@@ -1,6 +1,9 @@
-"""The plugin object of QGIS: it registers the Processing provider, and nothing else."""
+"""The plugin object of QGIS: it registers the Processing provider, and does nothing else."""
+
+from typing import Optional
 
 from qgis.core import QgsApplication
+from qgis.gui import QgisInterface
 
 from .processing_provider.provider import Provider
 
@@ -11,14 +14,14 @@ class Plugin:
     Parameters
     ----------
     iface : QgisInterface or None
-        None without a desktop; not needed.
+        None without a desktop; not used.
     """
 
-    def __init__(self, iface) -> None:
-        self.provider = None
+    def __init__(self, iface: Optional[QgisInterface]) -> None:
+        self.provider: Optional[Provider] = None
 
     def initProcessing(self) -> None:  # noqa: N802 - QGIS's name
-        """Register the provider; all that a headless QGIS calls."""
+        """Register the provider; a headless QGIS calls only this."""
         self.provider = Provider()
         QgsApplication.processingRegistry().addProvider(self.provider)
 
@@ -27,5 +30,5 @@ class Plugin:
         self.initProcessing()
 
     def unload(self) -> None:
-        """Take the provider out of the registry."""
+        """Remove the provider from the registry."""
         QgsApplication.processingRegistry().removeProvider(self.provider)

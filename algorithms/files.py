@@ -1,4 +1,4 @@
-"""Outputs that are either whole or not there at all."""
+"""Outputs that are either complete or not written at all."""
 
 import errno
 import tempfile
@@ -9,7 +9,7 @@ from typing import Union
 
 from .errors import InputError
 
-# What belongs to an older output of the same name, and would contradict the new one.
+# Files that belong to an older output of the same name and would contradict the new one.
 APPENDED_SIDECARS = (".aux.xml", ".xml", ".ovr", ".msk", "-wal", "-shm", "-journal")
 SIDECARS = {
     ".shp": (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj"),
@@ -19,7 +19,7 @@ SIDECARS = {
 
 @contextmanager
 def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
-    """Give a temporary path to write to, and move what was written to `path` at the end.
+    """Yield a temporary path to write to, and move what was written to `path` at the end.
 
     Everything that is written next to the temporary path is moved along, such as the sidecars
     of a shapefile. If the body raises, an older output stays as it was.
@@ -27,7 +27,7 @@ def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
     Parameters
     ----------
     path : str or Path
-        Where the output shall be, in an existing folder.
+        The output, in an existing folder.
 
     Yields
     ------
@@ -37,11 +37,11 @@ def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
     Raises
     ------
     InputError
-        If the folder is missing or not writable, the disk is full, or the old output is locked.
+        If the folder does not exist or is not writable, the disk is full, or the old output is locked.
     """
     target = Path(path)
     if not target.parent.is_dir():
-        raise InputError(f"{target} cannot be written, for its folder is missing; create it first.")
+        raise InputError(f"{target} cannot be written because its folder does not exist; create it first.")
     try:
         with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
             yield Path(folder) / target.name
@@ -52,7 +52,7 @@ def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
 
 @contextmanager
 def new_folder(path: Path) -> Iterator[None]:
-    """Make a folder unless it is there; if the body raises, it is removed again.
+    """Make a folder unless it exists; if the body raises, remove it again.
 
     Raises
     ------
@@ -77,20 +77,20 @@ def new_folder(path: Path) -> Iterator[None]:
 def _publish(folder: Path, target: Path) -> None:
     """Move all files of `folder` beside `target`, or none if one of them is locked."""
     companions = [file for file in folder.iterdir() if file.name != target.name]
-    placed = [target.parent / file.name for file in companions]
+    destinations = [target.parent / file.name for file in companions]
     retired = folder / "retired"
     retired.mkdir()
     try:
-        for old in {*placed, *_sidecars(target)}:
+        for old in {*destinations, *_sidecars(target)}:
             if old.exists():
                 old.replace(retired / old.name)
-        for file, place in zip(companions, placed):
-            file.replace(place)
-        # Last, and in one step: where this file is, there is all that belongs to it.
+        for file, destination in zip(companions, destinations):
+            file.replace(destination)
+        # Last and in one step, so that this file never exists without its companions.
         (folder / target.name).replace(target)
     except BaseException:
-        for place in placed:
-            place.unlink(missing_ok=True)
+        for destination in destinations:
+            destination.unlink(missing_ok=True)
         for old in retired.iterdir():
             old.replace(target.parent / old.name)
         raise
@@ -104,7 +104,9 @@ def _sidecars(target: Path) -> list[Path]:
 
 def _explain(target: Path, error: OSError) -> str:
     if error.errno == errno.ENOSPC:
-        return f"{target} cannot be written, for the disk is full; free some space or choose another folder."
+        return (
+            f"{target} cannot be written because the disk is full; free some space or choose another folder."
+        )
     if isinstance(error, PermissionError):
         return (
             f"{target} cannot be written; close it where it is open, or choose a folder "

@@ -1,7 +1,7 @@
 """Writing and reading georeferenced rasters."""
 
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 import rasterio
@@ -18,33 +18,33 @@ NODATA = -9999.0
 
 PICTURE = ("red", "green", "blue")
 COLOURS = {name: ColorInterp[name] for name in (*PICTURE, "alpha")}
-"""Bands with a meaning of their own."""
+"""Bands that GDAL interprets as colours."""
 
 
 def write_raster(
     path: Path,
-    bands: dict,
+    bands: dict[str, np.ndarray],
     transform: Affine,
     crs: Optional[CRS],
     nodata: Optional[float] = None,
-    tags: Optional[dict] = None,
+    tags: Optional[dict[str, Any]] = None,
 ) -> None:
     """Write a tiled, compressed GeoTIFF.
 
     Parameters
     ----------
     path : Path
-        Replaced only when the new file is whole.
+        Replaced only when the new file is complete.
     bands : dict of str to ndarray, shape (rows, columns)
         Band descriptions and values, all of one type; nan becomes `NODATA` in float bands. Red, green and
-        blue are a picture, and alpha tells where it has pixels.
+        blue are a picture, and alpha marks its pixels.
     transform : Affine
         From (column, row) to world coordinates.
     crs : CRS or None
     nodata : float, optional
-        Value of integer bands that means none.
+        Value of integer bands that stands for no value.
     tags : dict, optional
-        What else the file says of itself.
+        Further metadata of the file.
 
     Raises
     ------
@@ -81,7 +81,7 @@ def write_raster(
                 raster.update_tags(number, **_statistics(values))
                 raster.write(_filled(values), number)
         if not _holds(temporary, arrays):
-            raise InputError(f"{path} cannot be written whole; free some space or choose another folder.")
+            raise InputError(f"{path} was not written completely; free some space or choose another folder.")
 
 
 def _filled(values: np.ndarray) -> np.ndarray:
@@ -90,8 +90,8 @@ def _filled(values: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(values), values, NODATA).astype(values.dtype)
 
 
-def _holds(path: Path, arrays: list) -> bool:
-    """Tell whether a raster can be read as it was written; GDAL does not tell of a disk that is full."""
+def _holds(path: Path, arrays: list[np.ndarray]) -> bool:
+    """Whether a raster reads as it was written; GDAL does not report a full disk."""
     try:
         with rasterio.open(path) as raster:
             return all(
@@ -102,8 +102,8 @@ def _holds(path: Path, arrays: list) -> bool:
         return False
 
 
-def _statistics(values: np.ndarray) -> dict:
-    """Return GDAL's names for the statistics of a band, so that no reader has to compute them."""
+def _statistics(values: np.ndarray) -> dict[str, float]:
+    """Return the statistics of a band by GDAL's names, so that readers need not compute them."""
     valid = values[np.isfinite(values)]
     if valid.size == 0:
         return {}

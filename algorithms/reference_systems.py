@@ -1,19 +1,19 @@
-"""Coordinate reference systems of point clouds, with the GDAL of rasterio instead of pyproj."""
+"""Coordinate reference systems: horizontal and in metres, or refused.
 
-import re
-import struct
+rasterio's CRS is the type that readers return and writers take; pyproj knows what kind of system it is.
+"""
+
 from typing import Optional
 
+import pyproj
+from pyproj.exceptions import ProjError
 from rasterio.crs import CRS
-from rasterio.errors import CRSError, RasterioError
-from rasterio.io import MemoryFile
+from rasterio.errors import CRSError
 
 from .errors import InputError
 
-# What GDAL calls a frame of no known place, such as a scanner's own.
-LOCAL = ("LOCAL_CS", "ENGCRS", "ENGINEERINGCRS")
-# What a GeoPackage has that was written without a system.
 UNDEFINED = "Undefined geographic SRS"
+"""The system of a GeoPackage that was written without one."""
 
 
 def parse_wkt(wkt: str) -> CRS:
@@ -26,19 +26,25 @@ def parse_wkt(wkt: str) -> CRS:
     """
     try:
         return horizontal(CRS.from_wkt(wkt))
-    except CRSError as error:
+    except (CRSError, ProjError) as error:
         raise ValueError(str(error)) from error
 
 
 def parse_layer_wkt(wkt: str, owner: str) -> Optional[CRS]:
-    """Return the horizontal system of a vector layer, None if it has none; `owner` is what messages call it.
+    """Return the horizontal system of a vector layer; None if it has none, or a local one.
+
+    Parameters
+    ----------
+    wkt : str
+    owner : str
+        The layer, as messages call it.
 
     Raises
     ------
     InputError
         If the text is not a coordinate reference system, or not in metres.
     """
-    if not wkt or wkt.startswith(LOCAL) or UNDEFINED in wkt:
+    if not wkt:
         return None
     try:
         crs = parse_wkt(wkt)
@@ -46,28 +52,10 @@ def parse_layer_wkt(wkt: str, owner: str) -> Optional[CRS]:
         raise InputError(
             f"The coordinate reference system of {owner} is not understood; assign it again."
         ) from error
+    if is_local(crs) or _definition(crs).name == UNDEFINED:
+        return None
     require_metres(crs, owner)
     return crs
-
-
-def parse_geotiff_keys(directory: bytes, doubles: bytes, text: bytes) -> Optional[CRS]:
-    """Return the horizontal system that the three GeoTIFF records of a LAS file describe.
-
-    GDAL reads the keys best itself, so they are handed over in a GeoTIFF of one pixel.
-
-    Raises
-    ------
-    ValueError
-        If the keys are not a coordinate reference system.
-    """
-    try:
-        geotiff = MemoryFile(_one_pixel_geotiff(directory, doubles, text))
-        with geotiff, geotiff.open() as dataset:
-            crs = dataset.crs
-    except (CRSError, RasterioError) as error:
-        raise ValueError(str(error)) from error
-    # Keys that name no system at all come back as a nameless local one.
-    return None if crs is None or crs.to_wkt().startswith("LOCAL_CS") else horizontal(crs)
 
 
 def horizontal(crs: CRS) -> CRS:
@@ -78,81 +66,85 @@ def horizontal(crs: CRS) -> CRS:
     InputError
         If the heights are not in metres.
     """
-    wkt = crs.to_wkt()
-    if not wkt.startswith("COMPD_CS"):
-        return crs
-    vertical = re.search(r'VERT_CS\[.*\bUNIT\["([^"]*)",([^],]+)', wkt)
-    if vertical and float(vertical.group(2)) != 1.0:
-        raise InputError(f"The heights of {name_of(crs)} are in {vertical.group(1)}; convert them to metres.")
-    start = re.search(r"\b(PROJCS|GEOGCS|LOCAL_CS)\[", wkt).start()
-    depth = 0
-    for match in re.finditer(r'"[^"]*"|\[|\]', wkt[start:]):
-        depth += {"[": 1, "]": -1}.get(match.group(), 0)
-        if match.group() == "]" and depth == 0:
-            return CRS.from_wkt(wkt[start : start + match.end()])
-    return crs
+    definition = _definition(crs)
+    units = [axis.unit_name for axis in definition.axis_info[2:] if axis.unit_conversion_factor != 1]
+    if units:
+        raise InputError(f"The heights of {name_of(crs)} are in {units[0]}; convert them to metres.")
+    plane = _plane(definition)
+    return _with_all_codes(CRS.from_wkt(plane.to_wkt())) if plane else crs
+
+
+def _plane(definition: pyproj.CRS) -> Optional[pyproj.CRS]:
+    """Return a system without its part or axis of heights; None if it has none to leave out."""
+    if definition.sub_crs_list:
+        return definition.sub_crs_list[0]
+    level = definition.is_projected or definition.is_engineering
+    if definition.is_bound or not level or len(definition.axis_info) < 3:
+        return None
+    parts = definition.to_json_dict()
+    parts["coordinate_system"]["axis"] = parts["coordinate_system"]["axis"][:2]
+    return pyproj.CRS.from_json_dict(parts)
+
+
+def is_local(crs: CRS) -> bool:
+    """Whether a system is tied to no place on earth, such as a scanner's own."""
+    return bool(_definition(crs).is_engineering)
+
+
+def has_only_heights(crs: CRS) -> bool:
+    """Whether a system is vertical, without a horizontal one."""
+    definition = _definition(crs)
+    return bool(definition.is_vertical and not definition.sub_crs_list)
 
 
 def name_of(crs: CRS) -> str:
     """Return `EPSG:25832`, or the name in the definition if there is no code."""
     code = crs.to_epsg()
-    return f"EPSG:{code}" if code else crs.to_wkt().split('"')[1]
+    return f"EPSG:{code}" if code else _definition(crs).name
 
 
 def require_metres(crs: CRS, owner: str) -> None:
-    """Refuse a system that is not in metres; `owner` says in the message whose it is.
+    """Refuse a system that is not in metres.
+
+    Parameters
+    ----------
+    crs : CRS
+    owner : str
+        Whose system it is, for the message.
 
     Raises
     ------
     InputError
-        If the axes are degrees, feet, or the metres of an earth-centred system.
+        If the axes are degrees, feet, heights alone or the metres of an earth-centred system.
     """
-    wkt = crs.to_wkt()
-    if crs.is_geographic:
-        system = "in degrees"
-    elif wkt.startswith("GEOCCS"):
-        system = "earth-centred"
-    else:
-        # The unit of the axes comes last, after the one of the underlying angles.
-        unit, metres = re.findall(r'\bUNIT\["([^"]*)",([^],]+)', wkt)[-1]
-        if float(metres) == 1.0:
-            return
-        system = f"in {unit}"
-    raise InputError(
-        f"The coordinates of {owner} are {system} ({name_of(crs)}); "
-        "reproject to a projected coordinate reference system in metres."
-    )
+    system = unsuitable_axes(crs)
+    if system:
+        raise InputError(
+            f"The coordinates of {owner} are {system} ({name_of(crs)}); "
+            "reproject to a projected coordinate reference system in metres."
+        )
 
 
-def _one_pixel_geotiff(directory: bytes, doubles: bytes, text: bytes) -> bytes:
-    short, ascii_, double = 3, 2, 12
-    sizes = {short: 2, ascii_: 1, double: 8}
-    # A pixel scale and a tie point keep GDAL from warning about a missing geotransform.
-    tags = [(tag, short, struct.pack("<H", value)) for tag, value in _PIXEL_TAGS]
-    tags += [(33550, double, struct.pack("<3d", 1, 1, 0)), (33922, double, bytes(48))]
-    tags += [(34735, short, directory), (34736, double, doubles), (34737, ascii_, text)]
-    tags = [tag for tag in tags if tag[2]]
-    entries, values = b"", b""
-    first_value = 8 + 2 + 12 * len(tags) + 4
-    for tag, kind, value in tags:
-        entries += struct.pack("<HHI", tag, kind, len(value) // sizes[kind])
-        if len(value) <= 4:
-            entries += value.ljust(4, b"\0")
-        else:
-            entries += struct.pack("<I", first_value + len(values))
-            values += value + b"\0" * (len(value) % 2)
-    return b"II*\0\x08\0\0\0" + struct.pack("<H", len(tags)) + entries + bytes(4) + values
+def unsuitable_axes(crs: CRS) -> str:
+    """Return what a system has instead of metres, in words that follow 'are', as 'in foot'; or nothing."""
+    definition = _definition(crs)
+    if definition.is_geographic:
+        return "in degrees"
+    if definition.is_geocentric:
+        return "earth-centred"
+    if has_only_heights(crs):
+        return "heights only"
+    units = [axis.unit_name for axis in definition.axis_info if axis.unit_conversion_factor != 1]
+    return f"in {units[0]}" if units else ""
 
 
-# Width, height, bits, no compression, black is zero, strip offset (any byte), samples, rows, bytes.
-_PIXEL_TAGS = (
-    (256, 1),
-    (257, 1),
-    (258, 8),
-    (259, 1),
-    (262, 1),
-    (273, 0),
-    (277, 1),
-    (278, 1),
-    (279, 1),
-)
+def _definition(crs: CRS) -> pyproj.CRS:
+    # WKT 1 cannot express every system, such as a local one with three axes.
+    return pyproj.CRS.from_wkt(crs.to_wkt(version="WKT2_2019"))
+
+
+def _with_all_codes(crs: CRS) -> CRS:
+    # WKT 2 keeps the code of the whole only; the definition by this code has those of datum and units too.
+    code = crs.to_epsg()
+    known = CRS.from_epsg(code) if code else crs
+    return known if known == crs else crs

@@ -3,29 +3,36 @@
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import fiona
 from fiona.errors import FionaError
 from rasterio.crs import CRS
 from shapely.geometry import mapping
+from shapely.geometry.base import BaseGeometry
 
 from .errors import InputError
 from .files import atomic_output
 
 UNKNOWN_METRES = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
-"""What a GeoPackage says in place of no system; unsaid, GDAL writes degrees."""
+"""Reference system of a GeoPackage without one; if it were empty, GDAL would write degrees."""
 
 DRIVERS = {".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
 
 
-def write_vector(path: Path, geometry: str, fields: dict, features: Iterable, crs: Optional[CRS]) -> None:
+def write_vector(
+    path: Path,
+    geometry: str,
+    fields: dict[str, str],
+    features: Iterable[tuple[BaseGeometry, dict[str, Any]]],
+    crs: Optional[CRS],
+) -> None:
     """Write features to a shapefile or a GeoPackage.
 
     Parameters
     ----------
     path : Path
-        Ends in .shp or .gpkg; replaced only when the new file is whole.
+        Ends in .shp or .gpkg; replaced only when the new file is complete.
     geometry : str
         Geometry type, as 'Polygon'.
     fields : dict of str to str
@@ -61,7 +68,7 @@ def write_vector(path: Path, geometry: str, fields: dict, features: Iterable, cr
 
 @contextmanager
 def _gdal_errors_named(path: Path) -> Iterator[None]:
-    """Turn GDAL's troubles, such as a full disk, into one sentence."""
+    """Raise an error of GDAL, such as a full disk, as one sentence."""
     try:
         yield
     except (FionaError, RuntimeError) as error:

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 from ichnograph.algorithms.facade.elevation import Elevation, Points
-from ichnograph.algorithms.facade.facade import measure_facade
-from ichnograph.algorithms.facade.settings import Settings
+from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.tests.scenes.facades import FACADES, FacadeScan, FacadeScene
 from ichnograph.tests.scenes.facades.judging import Judgement, in_scene, judge
 
@@ -38,7 +38,7 @@ def points_of(scan: FacadeScan) -> Points:
 def _judged(name: str, spacing: float, seed: int, folder: Path) -> Judgement:
     scene = FACADES[name](seed).moved(*PLACE)
     points = points_of(scene.scan(spacing, seed=seed))
-    elevation = measure_facade(points, Settings())
+    elevation = measure_facade(points, FacadeSettings())
     judgement = judge(elevation, scene)
     draw(scene, elevation, judgement, points, folder / f"{name}_{spacing * 1000:g}mm_{seed}.png")
     return judgement

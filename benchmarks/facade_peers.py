@@ -1,9 +1,9 @@
-"""Planes, outlines and time of a facade, beside other tools, all in one run.
+"""Planes, outlines and time of a facade, compared with other tools in one run.
 
 make facade-peers, or: python3 -m ichnograph.benchmarks.facade_peers [--points 1000000]
 
 `make peers` installs open3d, pyransac3d and alphashape; CloudCompare is used if it is installed and its
-version has RANSAC on the command line (2.12 and newer). Each has its documented settings, and the same
+version has RANSAC on the command line (2.12 and newer). Each runs with its documented settings and the same
 distance.
 """
 
@@ -24,10 +24,12 @@ from typing import Callable, Optional
 import numpy as np
 from ichnograph.algorithms.facade.elevation import Points
 from ichnograph.algorithms.facade.outlines.alpha_shape import alpha_shape
-from ichnograph.algorithms.facade.planes.planes import find_planes
+from ichnograph.algorithms.facade.planes.segmentation import find_planes
 from ichnograph.algorithms.geometry.triangulation import triangulate
-from ichnograph.tests.scenes.facades import FACADES, FacadeScene
+from ichnograph.tests.scenes.facades import FACADES, FacadeScan, FacadeScene
 from ichnograph.tests.scenes.facades.__main__ import write_laz
+from shapely.geometry import LinearRing
+from shapely.geometry.base import BaseGeometry
 
 from .facade import PLACE, points_of
 
@@ -58,7 +60,7 @@ def main() -> None:
     _print_whole(scan)
 
 
-def _scan_of(scene: FacadeScene, count: int):
+def _scan_of(scene: FacadeScene, count: int) -> FacadeScan:
     """Scan so that there are about as many points as asked for."""
     coarse = len(scene.scan(0.04).points)
     return scene.scan(0.04 * (coarse / count) ** 0.5)
@@ -104,13 +106,13 @@ def _cloudcompare(points: Points) -> Optional[np.ndarray]:
         return _chosen(points, np.loadtxt(largest)[:, 6].astype(int))
 
 
-def _chosen(points: Points, rows) -> np.ndarray:
+def _chosen(points: Points, rows: np.ndarray) -> np.ndarray:
     chosen = np.zeros(len(points.xyz), bool)
     chosen[np.asarray(rows)] = True
     return chosen
 
 
-PLANES: dict[str, Callable] = {
+PLANES: dict[str, Callable[[Points], Optional[np.ndarray]]] = {
     "facadeplanes": _ours,
     "open3d": _open3d,
     "pyransac3d": _pyransac3d,
@@ -119,7 +121,10 @@ PLANES: dict[str, Callable] = {
 
 
 def _plane_row(
-    scene: FacadeScene, points: Points, fit: Callable, ours: Optional[float]
+    scene: FacadeScene,
+    points: Points,
+    fit: Callable[[Points], Optional[np.ndarray]],
+    ours: Optional[float],
 ) -> tuple[str, Optional[float]]:
     """Time a tool, and compare the plane of its points with the wall."""
     name = fit.__name__[1:]
@@ -170,12 +175,12 @@ def _print_outlines() -> None:
         print(f"| {name} | {seconds:.2f} | {seconds / ours:.1f} | {shape.area - truth:+.3f} | {holes} |")
 
 
-def _area(ring) -> float:
+def _area(ring: LinearRing) -> float:
     x, y = np.array(ring.coords)[:, :2].T
     return 0.5 * abs(float(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1))))
 
 
-def _outlines() -> Iterator[tuple[str, Optional[Callable]]]:
+def _outlines() -> Iterator[tuple[str, Optional[Callable[[np.ndarray], BaseGeometry]]]]:
     yield "facadedetails", lambda points: alpha_shape(triangulate(points))
     alpha = 1 / 0.06
     peer = import_module("alphashape").alphashape if find_spec("alphashape") else None
@@ -185,16 +190,17 @@ def _outlines() -> Iterator[tuple[str, Optional[Callable]]]:
     )
 
 
-def _print_whole(scan) -> None:
+def _print_whole(scan: FacadeScan) -> None:
     """Time the whole chain, from the file to all layers, in a process of its own."""
     code = (
         "import sys; from pathlib import Path\n"
         "from ichnograph.algorithms.clouds.cloud import open_cloud\n"
-        "from ichnograph.algorithms.facade import layers, measuring, orthoimage, points, schedule, settings\n"
+        "from ichnograph.algorithms.facade import measurement, points, settings\n"
+        "from ichnograph.algorithms.facade.output import elevation_layers, orthoimage, schedule\n"
         "cloud = points.read_points(open_cloud([sys.argv[1]]))\n"
-        "elevation = measuring.measure_facade(cloud, settings.Settings())\n"
+        "elevation = measurement.measure_facade(cloud, settings.FacadeSettings())\n"
         "folder = Path(sys.argv[1]).parent\n"
-        "layers.write_elevation(folder / 'elevation.shp', elevation)\n"
+        "elevation_layers.write_elevation(folder / 'elevation.shp', elevation)\n"
         "orthoimage.write_orthoimage(folder / 'orthoimage.tif', cloud, elevation, 0.02, False)\n"
         "schedule.write_schedule(folder / 'schedule.csv', elevation)\n"
     )

@@ -1,4 +1,4 @@
-"""Whether targets get their true control points, beside other tools and on the same scenes.
+"""Whether targets get their true control points, compared with other tools on the same scenes.
 
 make registration, or: python3 -m ichnograph.benchmarks.registration [--trials 1000] [--peer-trials 20]
 
@@ -6,19 +6,19 @@ A scene is control points on a building and the targets picked in one scan of it
 points; the noise is 2 mm. An answer is
 
 right
-    if every common target was given its true control point, be it to reject it as an outlier, and no other
-    target was given one that it is not;
+    if every common target has its true control point, even if it is rejected as an outlier, and no other
+    target has one;
 partial
-    if a common target was left out, and nothing else is amiss;
+    if a common target has no control point, and everything else is right;
 wrong
-    if any target was given a control point that it is not;
+    if any target has a control point that is not its own;
 refused
-    if there is none.
+    if the tool gives no answer.
 
 Without overlap, every answer is false. Time is the median, and the 95 % quantile, of a whole scan.
 
 The other tools give a pose. A target's control point is then the one within 2 cm, and the pose counts as
-refused if fewer than four targets have one, for none of them tells chance from truth. Their settings stand in
+refused if fewer than four targets have one, because none of them tests for chance. Their settings are in
 `registration_peers`. A pose error is the mean distance between the common targets, moved by this pose and by
 the true one; of the right answers, the median is printed.
 """
@@ -36,7 +36,7 @@ from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.targets import TargetScene, target_scene
 from scipy.spatial import cKDTree
 
-from .registration_peers import PEERS
+from .registration_peers import PEERS, Peer
 
 SETTINGS = ((12, 8, 5), (30, 12, 6), (50, 15, 8), (100, 20, 8), (200, 20, 8), (200, 20, 4))
 """Control points, targets picked, and how many of them are common."""
@@ -48,28 +48,31 @@ FEWEST = 4
 
 @dataclass(frozen=True)
 class Answer:
-    """What a tool says about a scene.
+    """The answer of a tool for a scene.
 
     Attributes
     ----------
     labels : dict of str to str
         Targets and their control points; empty if refused.
     rejected : dict of str to str
-        The same of outliers, which are listed, but not used.
+        The same of outliers, which are listed but not used.
     reason : str
-        Why, in a word, if refused.
+        Why it was refused, in a word.
     matrix : ndarray, shape (4, 4), or None
     """
 
-    labels: dict
-    rejected: dict = field(default_factory=dict)
+    labels: dict[str, str]
+    rejected: dict[str, str] = field(default_factory=dict)
     reason: str = ""
     matrix: Optional[np.ndarray] = None
 
 
+Tool = Callable[[TargetScene], Answer]
+
+
 @dataclass(frozen=True)
 class Tally:
-    """What a tool did with all scenes of a setting.
+    """The verdicts on a tool over all scenes of a setting.
 
     Attributes
     ----------
@@ -79,7 +82,7 @@ class Tally:
         Of every scene, and of every right answer (m).
     """
 
-    verdicts: Counter
+    verdicts: Counter[str]
     seconds: np.ndarray
     errors: np.ndarray
 
@@ -106,8 +109,8 @@ def ours(scene: TargetScene) -> Answer:
     return Answer(labels, rejected, matrix=scan.matrix)
 
 
-def by_peer(peer: Callable) -> Callable:
-    """Return a function like `ours` that asks another tool."""
+def by_peer(peer: Peer) -> Tool:
+    """Return a function like `ours` that runs another tool."""
 
     def answer(scene: TargetScene) -> Answer:
         control, targets = scene.control.xyz, scene.targets.xyz
@@ -125,16 +128,17 @@ def by_peer(peer: Callable) -> Callable:
     return answer
 
 
-def run(tool: Callable, setting: tuple[int, int, int], seeds: Iterable[int]) -> Tally:
-    """Ask a tool about the scenes of a setting."""
-    verdicts, seconds, errors = Counter(), [], []
+def run(tool: Tool, setting: tuple[int, int, int], seeds: Iterable[int]) -> Tally:
+    """Run a tool on the scenes of a setting."""
+    verdicts: Counter[str] = Counter()
+    seconds, errors = [], []
     for seed in seeds:
         scene = target_scene(*setting, NOISE, seed)
         started = time.perf_counter()
         answer = tool(scene)
         seconds.append(time.perf_counter() - started)
         verdicts[verdict(answer, scene)] += 1
-        if verdict(answer, scene) == "right":
+        if answer.matrix is not None and verdict(answer, scene) == "right":
             errors.append(pose_error(answer.matrix, scene))
     return Tally(verdicts, np.array(seconds), np.array(errors))
 
@@ -158,7 +162,7 @@ def pose_error(matrix: np.ndarray, scene: TargetScene) -> float:
     return float(np.linalg.norm(moved, axis=1).mean())
 
 
-def row(name: str, setting: tuple[int, int, int], trials: int, tool: Callable) -> str:
+def row(name: str, setting: tuple[int, int, int], trials: int, tool: Tool) -> str:
     """Return a row of the table: the scenes of a setting, and as many without overlap."""
     found = run(tool, setting, range(trials))
     alone = run(tool, (*setting[:2], 0), range(trials))
@@ -214,7 +218,7 @@ def compare(trials: int) -> None:
         print(f"\n{name}: not installed; run make peers.")
 
 
-def is_installed(tool: Callable) -> bool:
+def is_installed(tool: Tool) -> bool:
     """Try a tool on a scene."""
     try:
         run(tool, SETTINGS[0], range(1))

@@ -1,9 +1,9 @@
 """Print whether the errors at the end of a chain of scans are as large as predicted.
 
-Twenty scans in a row; only the first sees surveyed points, the others hang on targets of the one before. The
-ratio of the true errors to the predicted standard deviations (root mean square over all chains) is 1 if the
-covariance of appended points is carried along rightly: once for each scan after the other, and once
-after the block adjustment.
+Twenty scans in a row; only the first sees surveyed points, each other one is tied to targets of the one
+before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains)
+is 1 if the covariance of appended points is propagated correctly. It is printed for scans one after another,
+and for the block adjustment.
 """
 
 import argparse
@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.adjustment.network import Network
-from ichnograph.algorithms.registration.matching.growth import grow
+from ichnograph.algorithms.registration.adjustment.control_network import Network
 from ichnograph.algorithms.registration.registration import reduced, register_scans
+from ichnograph.algorithms.registration.sequential_registration import grow
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 
@@ -29,7 +29,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
     print("|---|---|---|---|---|")
     for control_sigma in (0.0, 0.003):
         settings = Settings(control_sigma=control_sigma)
-        results = {"scan by scan": [], "in one block": []}
+        results: dict[str, list[tuple[float, float]]] = {"scan by scan": [], "in one block": []}
         for seed in range(chains):
             chain = target_chain(LENGTH, seed, control_noise=control_sigma)
             results["scan by scan"] += _one_by_one(chain, settings)
@@ -41,7 +41,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
             print(f"| {kind} | {adjustment} | {chains} | {ratio:.2f} | {lengths.max():.3f} |")
 
 
-def _one_by_one(chain: TargetChain, settings: Settings) -> list:
+def _one_by_one(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
     """Return ratio and length of the errors of the targets at the end, without the block adjustment."""
     control, origin = reduced(chain.control)
     network = Network.of_surveyed(control.names, control.xyz, settings.control_sigma)
@@ -56,7 +56,7 @@ def _one_by_one(chain: TargetChain, settings: Settings) -> list:
     ]
 
 
-def _in_one_block(chain: TargetChain, settings: Settings) -> list:
+def _in_one_block(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
     last = chain.scans[-1].name
     points = register_scans(chain.control, chain.scans, settings).points
     return [

@@ -23,19 +23,20 @@ SCALE_PPM = 10.0
 CASES = 3
 SETTINGS = Settings(sigma=0.003)
 AWAY = np.array([-25.0, 8.0, 4.0])
-"""Where the scanner's own frame is drawn, from the corner of the building (m)."""
+"""Position of the scanner's own frame in the drawing, from the corner of the building (m)."""
 
 BLUE, MAGENTA, RED = "#3b78a8", "#c050b0", "#b3261e"
 
 
 def draw_case(axes: Axes, control: PointList, trial: Trial, seed: int) -> None:
-    """Draw control points, the targets of a trial in the frame of the scanner, and where they belong."""
+    """Draw control points, and the targets of a trial in the frame of the scanner and registered."""
     random = np.random.default_rng(seed)
     rows = [control.names.index(name) for name in trial.points]
     seen = control.xyz[rows] + random.normal(0, SETTINGS.sigma, (TARGETS, 3))
     scanned = (seen - seen.mean(axis=0)) @ Rotation.random(random_state=seed).as_matrix()
     scan = PointList("scan", tuple(map(str, range(TARGETS))), scanned, named=False)
     (found,) = register_scans(control, [scan], SETTINGS).scans
+    assert found.matrix is not None
     placed = scanned @ found.matrix[:3, :3].T + found.matrix[:3, 3] - CORNER
     axes.scatter(*(control.xyz - CORNER).T, s=6, color=BLUE, label="control points")
     axes.scatter(*(scanned + AWAY).T, s=22, color=MAGENTA, label="targets in the scanner's frame")
@@ -53,12 +54,12 @@ def draw_errors(panels: list[Axes], simulation: Simulation) -> None:
     """Draw how the errors of the parameters are distributed over the trials that succeeded."""
     successes = simulation.successes
     errors = {
-        "error of the scanner's place (mm)": [1000 * trial.shift_error for trial in successes],
+        "error of the scanner's position (mm)": [1000 * trial.shift_error for trial in successes],
         "error of the rotation (degrees)": [trial.rotation_error for trial in successes],
         "sigma0, a posteriori over a priori": [trial.sigma0 for trial in successes],
     }
     for axes, (name, values) in zip(panels, errors.items()):
-        # The longest tail would leave no room for the rest.
+        # The longest tail would squeeze the rest.
         median, most, last = np.quantile(values, (0.5, 0.95, 0.995))
         axes.hist(values, bins=np.linspace(0, last, 40), color=BLUE)
         axes.axvline(median, color=RED, linewidth=1)

@@ -1,14 +1,14 @@
 """Other tools that find a rigid transformation among many wrong matches, each with its documented settings.
 
-All of them get every target matched with every control point, about the centroids of both lists: none has a
-way of its own to match bare points. `make peers` installs them into .peers.
+All of them get every target matched with every control point, about the centroids of both lists, because none
+of them matches bare points itself. `make peers` installs them into .peers.
 
 scikit-image
     `ransac` with a 3D `EuclideanTransform`, three matches a sample, at most 20,000 samples. Its hook
     `is_data_valid` drops a sample whose three distances differ before a model is fitted to it.
 open3d
     `registration_ransac_based_on_correspondence` with the checkers of its tutorial on distance and on edge
-    length (0.99 instead of 0.9, for targets are precise), 4,000,000 iterations, confidence 0.999.
+    length (0.99 instead of 0.9, because targets are precise), 4,000,000 iterations, confidence 0.999.
 kiss-matcher
     `prune_and_solve` without voxel sampling, the noise bound of pruning and solver as for the others.
 cliquematch
@@ -32,7 +32,7 @@ KISS_VOXEL = 0.01
 
 def with_scikit_image(control: np.ndarray, targets: np.ndarray, noise: float) -> Optional[np.ndarray]:
     """Return the pose by RANSAC over all matches."""
-    measure, transform = import_module("skimage.measure"), import_module("skimage.transform")
+    from skimage import measure, transform
 
     class Pose(transform.EuclideanTransform):
         def __init__(self, matrix: Optional[np.ndarray] = None) -> None:
@@ -108,7 +108,9 @@ def with_cliquematch(control: np.ndarray, targets: np.ndarray, noise: float) -> 
     return _least_squares(targets[list(of_targets)], control[list(of_control)])
 
 
-PEERS: dict[str, Callable] = {
+Peer = Callable[[np.ndarray, np.ndarray, float], Optional[np.ndarray]]
+
+PEERS: dict[str, Peer] = {
     "scikit-image": with_scikit_image,
     "open3d": with_open3d,
     "kiss-matcher": with_kiss_matcher,

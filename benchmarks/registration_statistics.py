@@ -20,7 +20,7 @@ from dataclasses import replace
 import numpy as np
 from ichnograph.algorithms.registration.adjustment.least_squares import Block, Sighting, adjust
 from ichnograph.algorithms.registration.adjustment.similarity import fit_pose
-from ichnograph.algorithms.registration.adjustment.test_statistics import ALPHA, CRITICAL_W, POWER
+from ichnograph.algorithms.registration.adjustment.statistical_tests import ALPHA, CRITICAL_W, POWER
 from ichnograph.algorithms.registration.settings import Model
 from ichnograph.tests.scenes.targets import CORNER, TargetScene, target_scene
 from scipy import stats

@@ -1,17 +1,19 @@
-"""The manners that all algorithms share; each of them declares its parameters and calls the core."""
+"""Base of the algorithms: it reads the parameters, calls the core and writes the files with their styles."""
 
-# ruff: noqa: D102, N802 - the methods and their names are QGIS's.
+# ruff: noqa: D102, N802 - QGIS defines and names the methods.
 
 from abc import abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, Optional, Union
 
 from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
+    QgsProcessingFeedback,
     QgsProcessingOutputNumber,
 )
 from qgis.PyQt.QtGui import QIcon
@@ -20,7 +22,8 @@ from ..algorithms.errors import IchnographError, InputError, MissingPackageError
 from ..algorithms.files import atomic_output, new_folder
 from .dependencies import explain_broken, explain_missing, lacking, missing_modules
 from .log import Log
-from .parameters.destinations import check_outputs
+from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
+from .parameters.parameter import Parameter
 from .styles import MARK, show_when_loaded, style_of
 
 ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
@@ -29,38 +32,36 @@ MANUAL = "https://github.com/ichnograph/ichnograph/blob/main/docs"
 
 @dataclass(frozen=True)
 class Outcome:
-    """What an algorithm found.
+    """The result of an algorithm, before it is written.
 
     Attributes
     ----------
     writers : dict of str to callable(Path)
-        For every destination by name, what writes its file; for a folder, another such dictionary with
-        the names of the files.
+        Writers of the files, by the names of the destinations; of a folder, the writers of its files by name.
     numbers : dict of str to float
-        Values of the numeric outputs, once all files are written.
+        Values of the numeric outputs.
     styles : dict of str to dict
-        For destinations by name, what their styles leave open.
+        Values of the variables of the styles, by the names of the destinations.
     """
 
-    writers: dict
-    numbers: dict
-    styles: dict = field(default_factory=dict)
+    writers: Mapping[str, Union[Writer, FolderWriters]]
+    numbers: Mapping[str, Any]
+    styles: Mapping[str, dict[str, Any]] = field(default_factory=dict)
 
 
 class Algorithm(QgsProcessingAlgorithm):
     """Base of the algorithms.
 
-    A subclass sets the attributes below and says in `compute` how to get from the values of the
-    inputs to an `Outcome`.
+    A subclass sets the attributes below, and its `compute` calls the core.
 
     Attributes
     ----------
     key, title, chapter : str
         Id, name and group in the toolbox.
     summary, about : str
-        A sentence, and a few more; plain text.
+        One sentence, and a few more; plain text.
     words : tuple of str
-        What a user may search for.
+        Search words of the toolbox.
     inputs : tuple of Parameter
     destinations : tuple of Destination
     numbers : tuple of (str, str)
@@ -68,13 +69,16 @@ class Algorithm(QgsProcessingAlgorithm):
     """
 
     key = title = chapter = summary = about = ""
-    words = inputs = destinations = numbers = ()
+    words: tuple[str, ...] = ()
+    inputs: tuple[Parameter, ...] = ()
+    destinations: tuple[Destination, ...] = ()
+    numbers: tuple[tuple[str, str], ...] = ()
 
     @abstractmethod
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Call the core with the values of the inputs and the paths of the destinations, by name.
 
-        The path of a file that nobody wants is None.
+        The path of a file that the user does not want is None.
         """
 
     def name(self) -> str:
@@ -95,7 +99,7 @@ class Algorithm(QgsProcessingAlgorithm):
     def svgIconPath(self) -> str:
         return ICON
 
-    def tags(self) -> list:
+    def tags(self) -> list[str]:
         return list(self.words)
 
     def shortDescription(self) -> str:
@@ -111,7 +115,7 @@ class Algorithm(QgsProcessingAlgorithm):
     def createInstance(self) -> "Algorithm":
         return type(self)()
 
-    def initAlgorithm(self, configuration=None) -> None:
+    def initAlgorithm(self, configuration: Optional[dict[str, Any]] = None) -> None:
         for parameter in (*self.inputs, *self.destinations):
             self.addParameter(parameter.definition())
         for output in self.destinations:
@@ -120,31 +124,35 @@ class Algorithm(QgsProcessingAlgorithm):
         for name, label in self.numbers:
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
-    def canExecute(self) -> tuple:
+    def canExecute(self) -> tuple[bool, str]:
         missing = missing_modules()
         return not missing, explain_missing(missing) if missing else ""
 
-    def checkParameterValues(self, parameters: dict, context: QgsProcessingContext) -> tuple:
+    def checkParameterValues(
+        self, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> tuple[bool, str]:
         try:
             self._values(parameters, context)
         except IchnographError as error:
             return False, str(error)
         except ImportError as error:
-            # Values that are read from layers need the packages.
+            # Reading a layer needs the packages.
             missing = missing_modules()
             return False, explain_missing(missing) if missing else explain_broken(error)
         return True, ""
 
-    def processAlgorithm(self, parameters, context, feedback) -> dict:
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
         with _plain_errors():
-            # Only the desktop asks canExecute.
+            # Only the desktop calls canExecute.
             if missing_modules():
                 raise QgsProcessingException(explain_missing(missing_modules()))
             log = Log(feedback)
             log.warn(self._unknown(parameters))
             values = self._values(parameters, context)
-            files = {output: output.value(self, parameters, context) for output in self.destinations}
-            files = {output: path for output, path in files.items() if path}
+            chosen = {output: output.value(self, parameters, context) for output in self.destinations}
+            files = {output: path for output, path in chosen.items() if path}
             sources = self._sources(values)
             check_outputs(files, sources)
             wanted = {output.name: files.get(output) for output in self.destinations}
@@ -156,28 +164,28 @@ class Algorithm(QgsProcessingAlgorithm):
             results.update(output.results(path, outcome.writers[output.name]))
         return results
 
-    def _values(self, parameters: dict, context: QgsProcessingContext) -> dict:
+    def _values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
         return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}
 
-    def _unknown(self, parameters: dict) -> list:
+    def _unknown(self, parameters: dict[str, Any]) -> list[str]:
         known = {parameter.name for parameter in (*self.inputs, *self.destinations)}
         unknown = [name for name in parameters if name not in known]
-        return [f"{name} is no parameter of {self.key}, so it has no effect." for name in unknown]
+        return [f"{self.key} has no parameter {name}; it is ignored." for name in unknown]
 
-    def _sources(self, values: dict) -> list:
+    def _sources(self, values: dict[str, Any]) -> list[str]:
         return [path for item in self.inputs for path in item.sources(values[item.name])]
 
 
-def _write(files: dict, outcome: Outcome, sources: list) -> dict:
-    """Write all files with their styles, or none; return the styles by path."""
+def _write(files: dict[Destination, Path], outcome: Outcome, sources: list[str]) -> dict[Path, str]:
+    """Write all files with their styles, or none of them; return the styles by path."""
     styles = {}
-    # Layers that share their name but for the extension would share the style beside them.
+    # Layers whose names differ only in the extension would share one style file.
     stems = [path.with_suffix("") for output, path in files.items() if output.style]
     read = {Path(source).resolve() for source in sources}
     jobs = [
         (output, path, write)
-        for output, place in files.items()
-        for path, write in output.files(place, outcome.writers[output.name]).items()
+        for output, target in files.items()
+        for path, write in output.files(target, outcome.writers[output.name]).items()
     ]
     for output, path, _ in jobs:
         if path.resolve() in read:
@@ -189,7 +197,7 @@ def _write(files: dict, outcome: Outcome, sources: list) -> dict:
             try:
                 write(temporary)
             except IchnographError as error:
-                # The user knows the file by its final name.
+                # Name the file that the user chose, not the temporary one.
                 raise type(error)(str(error).replace(str(temporary), str(path))) from error
             if output.style:
                 styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
@@ -199,13 +207,13 @@ def _write(files: dict, outcome: Outcome, sources: list) -> dict:
 
 
 def _is_ours(style: Path) -> bool:
-    """Tell whether a style may be written there: a user's own is kept."""
+    """Whether a style may be written there; the user's own is kept."""
     return not style.exists() or MARK in style.read_text(encoding="utf-8", errors="replace")
 
 
 @contextmanager
 def _plain_errors() -> Iterator[None]:
-    """Turn the exceptions of the core into the one of QGIS, which is shown as a sentence."""
+    """Raise exceptions of the core as the one of QGIS, whose text the user sees."""
     try:
         yield
     except MissingPackageError as error:

@@ -15,27 +15,28 @@ PYPI_NAMES = {
     "shapely": "shapely",
     "fiona": "fiona",
     "rasterio": "rasterio",
+    "pyproj": "pyproj",
     "laspy": "laspy",
     "lazrs": "lazrs",
 }
-"""The modules that are imported, and the packages that bring them."""
+"""The modules that are imported, and the packages that contain them."""
 
 NOT_IN_DEBIAN = ("laspy", "lazrs", "pye57", "pyquaternion")
-"""Packages that come from PyPI also where Debian's or Ubuntu's Python is used."""
+"""Packages that must come from PyPI on Debian and Ubuntu too."""
 
 
-def missing_modules() -> list:
+def missing_modules() -> list[str]:
     """Return the modules that the interpreter of QGIS cannot find."""
     return lacking(PYPI_NAMES)
 
 
-def lacking(modules: Iterable) -> list:
+def lacking(modules: Iterable[str]) -> list[str]:
     """Return which of `modules` the interpreter of QGIS cannot find."""
     return [module for module in modules if find_spec(module) is None]
 
 
-def explain_missing(modules: list) -> str:
-    """Return one sentence: which packages, for which interpreter, and the command that installs them."""
+def explain_missing(modules: Iterable[str]) -> str:
+    """Return one sentence: which packages are missing from which Python, and the command to install them."""
     packages = [PYPI_NAMES.get(module, module) for module in modules]
     where = " in the OSGeo4W Shell" if sys.platform == "win32" else ""
     return (
@@ -45,7 +46,7 @@ def explain_missing(modules: list) -> str:
 
 
 def explain_broken(error: ImportError) -> str:
-    """Return one sentence about a package that is there but cannot be imported."""
+    """Return one sentence about a package that is installed but cannot be imported."""
     return (
         f"A package of the Python {_version()} of QGIS cannot be loaded ({error}); "
         "install a version of it that fits the others."
@@ -56,7 +57,7 @@ def _version() -> str:
     return "{}.{}".format(*sys.version_info)
 
 
-def _install_command(packages: list) -> str:
+def _install_command(packages: list[str]) -> str:
     if not _is_managed_by_distribution():
         return f"{_interpreter()} -m pip install --user {' '.join(packages)}"
     from_apt = [f"python3-{package.replace('scikit-image', 'skimage')}" for package in packages]
@@ -64,7 +65,7 @@ def _install_command(packages: list) -> str:
     from_pip = [package for package in packages if package in NOT_IN_DEBIAN]
     commands = [f"sudo apt install {' '.join(from_apt)}"] if from_apt else []
     if from_pip:
-        # No dependencies: the distribution has numpy, and a second one would hide it.
+        # Without dependencies, because a second numpy would hide that of the distribution.
         options = "--user --break-system-packages --no-deps"
         commands.append(f"{_interpreter()} -m pip install {options} {' '.join(from_pip)}")
     return " && ".join(commands)

@@ -1,4 +1,4 @@
-"""The feedback of QGIS as the core knows it: progress, and sentences."""
+"""The feedback of QGIS, as progress for the core and as sentences in the log."""
 
 from collections.abc import Iterable
 
@@ -8,7 +8,7 @@ from ..algorithms.progress import Progress
 
 
 class Log:
-    """Tells the user what happens.
+    """Shows the user progress, information and warnings.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class Log:
         """Write a sentence to the log."""
         self._feedback.pushInfo(sentence)
 
-    def warn(self, sentences: Iterable) -> None:
+    def warn(self, sentences: Iterable[str]) -> None:
         """Write sentences to the log as warnings."""
         for sentence in sentences:
             self._feedback.pushWarning(sentence)

@@ -1,6 +1,6 @@
-"""The provider: what QGIS lists under Ichnograph in the toolbox."""
+"""The provider: the algorithms that QGIS lists under Ichnograph in the toolbox."""
 
-# ruff: noqa: D102, N802 - the methods and their names are QGIS's.
+# ruff: noqa: D102, N802 - QGIS defines and names the methods.
 
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
@@ -20,7 +20,7 @@ from .algorithms.transform_cloud import TransformCloudAlgorithm
 
 
 class Provider(QgsProcessingProvider):
-    """Lists the algorithms, and says which files they can write."""
+    """Lists the algorithms and the kinds of files that they can write."""
 
     def id(self) -> str:
         return "ichnograph"
@@ -40,10 +40,10 @@ class Provider(QgsProcessingProvider):
     def supportsNonFileBasedOutput(self) -> bool:
         return False
 
-    def supportedOutputRasterLayerExtensions(self) -> list:
+    def supportedOutputRasterLayerExtensions(self) -> list[str]:
         return ["tif", "tiff"]
 
-    def supportedOutputVectorLayerExtensions(self) -> list:
+    def supportedOutputVectorLayerExtensions(self) -> list[str]:
         return ["gpkg", "shp"]
 
     def loadAlgorithms(self) -> None:

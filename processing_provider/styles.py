@@ -1,11 +1,14 @@
-"""The styles of the outputs: beside the file for whoever opens it, and on the layer that QGIS loads."""
+"""The styles of the outputs: saved beside the file, and set on the layer that QGIS loads."""
 
 from pathlib import Path
 from string import Template
+from typing import Any, ClassVar, Optional
 
 from qgis.core import (
     QgsLayerTree,
+    QgsMapLayer,
     QgsProcessingContext,
+    QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
     QgsRasterLayer,
 )
@@ -14,23 +17,23 @@ from qgis.PyQt.QtXml import QDomDocument
 STYLES = Path(__file__).parent / "styles"
 
 MARK = "<!-- made by Ichnograph -->"
-"""In every style that is written here; QGIS leaves it out when a user saves a style."""
+"""Marks the styles that are written here; it is gone once a user saves the style in QGIS."""
 
 STRETCH = 2.0
-"""Standard deviations of a band on either side of its mean that the grey values span."""
+"""The grey values span this many standard deviations of the band on either side of its mean."""
 
 
-def style_of(name: str, file: Path, values: dict) -> str:
-    """Return the style `name` as QML, for a layer that was written to `file`.
+def style_of(name: str, file: Path, values: dict[str, Any]) -> str:
+    """Return the style `name` as QML for the layer in `file`.
 
-    What the style leaves open, as $name, comes from `values` or, for a raster, from the file.
+    Variables of the style, like $name, get their values from `values` or, for a raster, from the file.
     """
     style = (STYLES / f"{name}.qml").read_text(encoding="utf-8")
     return Template(style).substitute(values if "$minimum" not in style else _stretch(file))
 
 
-def _stretch(file: Path) -> dict:
-    """Return between which values the grey values of a raster span."""
+def _stretch(file: Path) -> dict[str, float]:
+    """Return the lowest and the highest value of a raster that its grey values span."""
     options = QgsRasterLayer.LayerOptions()
     options.loadDefaultStyle = False
     layer = QgsRasterLayer(str(file), "", "gdal", options)
@@ -41,17 +44,17 @@ def _stretch(file: Path) -> dict:
     }
 
 
-def show_when_loaded(styles: dict, context: QgsProcessingContext) -> None:
-    """Let QGIS style the layers that it will load when the algorithm is done, the last one on top.
+def show_when_loaded(styles: dict[Path, str], context: QgsProcessingContext) -> None:
+    """Let QGIS style the layers that it loads after the run, and put the last one on top.
 
     Parameters
     ----------
     styles : dict of Path to str
         Styles as QML.
     context : QgsProcessingContext
-        Knows which layers will be loaded.
+        Lists the layers that will be loaded.
     """
-    loaded = {}
+    loaded: dict[str, Optional[str]] = {}
     for path, style in styles.items():
         if context.willLoadLayerOnCompletion(str(path)):
             details = context.layerToLoadOnCompletionDetails(str(path))
@@ -60,26 +63,28 @@ def show_when_loaded(styles: dict, context: QgsProcessingContext) -> None:
 
 
 class Presenter(QgsProcessingLayerPostProcessorInterface):
-    """Styles a layer that Processing has loaded, and puts it in its place in the layer tree.
+    """Styles a layer that Processing has loaded, and moves it in the layer tree.
 
     Parameters
     ----------
     path, style : str
         The file, and its style as QML.
     loaded : dict of str to str
-        The files of the run, bottom to top, and the ids of their layers; shared by its presenters.
+        The files of the run, bottom to top, and the ids of their layers; shared by all presenters of the run.
     """
 
-    # QGIS keeps no reference that Python knows of.
-    waiting = []  # noqa: RUF012
+    # QGIS keeps a reference that Python does not see; without this one, presenters would be deleted.
+    waiting: ClassVar[list["Presenter"]] = []
 
-    def __init__(self, path: str, style: str, loaded: dict) -> None:
+    def __init__(self, path: str, style: str, loaded: dict[str, Optional[str]]) -> None:
         super().__init__()
         self.path, self.style, self.loaded = path, style, loaded
         self.waiting.append(self)
 
-    def postProcessLayer(self, layer, context, feedback) -> None:  # noqa: N802 - QGIS's name
-        """Show the layer; QGIS calls this in the main thread."""
+    def postProcessLayer(  # noqa: N802 - QGIS's name
+        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        """Style and move the layer; QGIS calls this in the main thread."""
         document = QDomDocument()
         document.setContent(self.style)
         layer.importNamedStyle(document)
@@ -88,15 +93,15 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
         _stack(context.project().layerTreeRoot(), [layer_id for layer_id in self.loaded.values() if layer_id])
 
 
-def _stack(tree: QgsLayerTree, layer_ids: list) -> None:
-    """Reorder layers that stand in one group of the layer tree, the last one on top."""
+def _stack(tree: QgsLayerTree, layer_ids: list[str]) -> None:
+    """Put the last layer on top if all are in one group of the layer tree."""
     nodes = [node for node in map(tree.findLayer, reversed(layer_ids)) if node]
     groups = [node.parent() for node in nodes]
     if not nodes or groups.count(groups[0]) < len(groups):
         return
     siblings = groups[0].children()
-    places = [siblings.index(node) for node in nodes]
-    if places != sorted(places):
-        groups[0].insertChildNodes(min(places), [node.clone() for node in nodes])
+    positions = [siblings.index(node) for node in nodes]
+    if positions != sorted(positions):
+        groups[0].insertChildNodes(min(positions), [node.clone() for node in nodes])
         for node in nodes:
             groups[0].removeChildNode(node)

@@ -8,6 +8,7 @@ import os
 import processing
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QTimer
+from qgis.PyQt.QtWidgets import QWidget
 
 SECONDS = 2
 """Time for the desktop, and then for the dialog, to draw themselves."""
@@ -21,7 +22,7 @@ def open_dialog() -> None:
     QTimer.singleShot(1000 * SECONDS, lambda: take_picture(dialog))
 
 
-def take_picture(dialog) -> None:
+def take_picture(dialog: QWidget) -> None:
     """Save the picture and leave QGIS."""
     dialog.grab().save(os.environ["PICTURE"])
     dialog.close()

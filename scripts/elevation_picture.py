@@ -1,18 +1,21 @@
-"""Show an orthoimage, and the elevation that was measured, side by side.
+"""Draw an orthoimage and the elevation that was measured, side by side.
 
 python3 scripts/elevation_picture.py orthoimage.tif elevation.shp out.png
 """
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import fiona
 import numpy as np
 import rasterio
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path as Outline
 from shapely.geometry import shape
+from shapely.geometry.base import BaseGeometry
 
 COLOURS = {
     "wall": "#e1d5be",
@@ -24,11 +27,11 @@ COLOURS = {
 }
 
 NARROW = 0.8
-"""Narrower details that are high enough have their height on a line of its own (m)."""
+"""Narrower details that are higher than this have their height on a line of its own (m)."""
 
 
 def draw(orthoimage: Path, elevation: Path, out: Path) -> None:
-    """Write the picture of the two layers, with ids, widths and heights in metres."""
+    """Write the picture of both layers, with ids, widths and heights in metres."""
     with rasterio.open(orthoimage) as raster:
         image, bounds = raster.read(), raster.bounds
     with fiona.open(elevation) as layer:
@@ -45,7 +48,7 @@ def draw(orthoimage: Path, elevation: Path, out: Path) -> None:
     figure.savefig(out, dpi=80)
 
 
-def _add(axis, polygon, values: dict) -> None:
+def _add(axis: Axes, polygon: BaseGeometry, values: dict[str, Any]) -> None:
     parts = getattr(polygon, "geoms", [polygon])
     rings = [ring for part in parts for ring in (part.exterior, *part.interiors)]
     path = Outline.make_compound_path(

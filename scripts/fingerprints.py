@@ -1,9 +1,11 @@
 """Print a digest of every layer and list that the toolbox makes, to see what a change of the code changed.
 
-scripts/fingerprints.py OUT [FOLDER ...] > before.txt; change the code; again into after.txt; diff the two.
+scripts/fingerprints.py OUT --plans FOLDER --facades FOLDER --lists FOLDER > before.txt
 
-Makes the demo's layers, those of every simulated scene at one seed, and those of the clouds and lists in the
-folders, through qgis_process. Clouds and results stay in OUT; clouds that are there already are used again.
+Run it before and after a change, and compare the two lists.
+
+Makes the layers of every simulated scene at one seed, and those of the clouds and lists in the folders,
+through qgis_process. Clouds and results stay in OUT; simulated clouds that are there already are used again.
 """
 
 import argparse
@@ -96,12 +98,14 @@ def simulated(out: Path) -> None:
     registration(control, sorted(out.glob("survey_*.txt")), out / "survey", "CRS=EPSG:25833")
 
 
-def given(folder: Path, out: Path) -> None:
-    """Make the layers of the clouds in a folder, and of its published registrations."""
+def clouds(folder: Path) -> Iterator[tuple[Path, str]]:
+    """Yield the clouds in a folder, and a name for the results of each."""
     for cloud in sorted(path for path in folder.rglob("*") if path.suffix.lower() in CLOUDS):
-        name = "_".join(cloud.relative_to(folder).parts).replace(".", "_")
-        site_plan(cloud, out / name)
-        facade(cloud, out / f"{name}_facade")
+        yield cloud, "_".join(cloud.relative_to(folder).parts).replace(".", "_")
+
+
+def published(folder: Path, out: Path) -> None:
+    """Register the published lists in a folder, with every model."""
     for target in sorted(folder.rglob("*_target.txt")):
         source = target.with_name(target.name.replace("_target", "_source"))
         for model in range(5):
@@ -121,15 +125,25 @@ def main() -> None:
     """Make all layers, and print their digests."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("out", type=Path)
-    parser.add_argument(
-        "folders", type=Path, nargs="*", help="of clouds and of lists *_source.txt, *_target.txt"
-    )
+    for kind, help_text in (
+        ("plans", "of clouds for plans"),
+        ("facades", "of clouds for elevations"),
+        ("lists", "of lists *_source.txt, *_target.txt"),
+    ):
+        parser.add_argument(f"--{kind}", type=Path, nargs="*", default=[], metavar="FOLDER", help=help_text)
     arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    simulated(arguments.out.resolve())
-    for folder in arguments.folders:
-        given(folder.resolve(), arguments.out.resolve() / folder.resolve().name)
-    print("\n".join(digests(arguments.out.resolve())))
+    out = arguments.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    simulated(out)
+    for folder in arguments.plans:
+        for cloud, name in clouds(folder.resolve()):
+            site_plan(cloud, out / "plans" / name)
+    for folder in arguments.facades:
+        for cloud, name in clouds(folder.resolve()):
+            facade(cloud, out / "facades" / name)
+    for folder in arguments.lists:
+        published(folder.resolve(), out / "lists")
+    print("\n".join(digests(out)))
 
 
 if __name__ == "__main__":

@@ -1,15 +1,16 @@
-"""Show a density image, and the walls that were found in it, side by side; north is up.
+"""Draw a density image and the walls that were found in it, side by side; north is up.
 
 python3 scripts/picture.py density.tif walls.shp out.png
 """
 
 import argparse
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import fiona
 import numpy as np
 import rasterio
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path as Outline
@@ -27,7 +28,7 @@ def draw(
     truth: Optional[BaseGeometry] = None,
     before: Optional[Path] = None,
 ) -> None:
-    """Write the picture of the two layers, with the true walls or with other walls beside, if given."""
+    """Write the picture of both layers, with the true walls, or with other walls beside them, if given."""
     with rasterio.open(density) as raster:
         values, bounds = raster.read(1, masked=True), raster.bounds
     layers = [("Outlines of pixels", before), ("Walls", walls)] if before else [("Walls", walls)]
@@ -52,7 +53,7 @@ def draw(
     figure.savefig(out, dpi=80)
 
 
-def _add_walls(axis, path: Path) -> tuple:
+def _add_walls(axis: Axes, path: Path) -> tuple[float, float, float, float]:
     """Draw a layer of walls, and return its bounds."""
     with fiona.open(path) as layer:
         for feature in layer:
@@ -62,7 +63,7 @@ def _add_walls(axis, path: Path) -> tuple:
         return layer.bounds
 
 
-def _outline(geometry) -> Outline:
+def _outline(geometry: dict[str, Any]) -> Outline:
     polygons = geometry["coordinates"]
     if geometry["type"] == "Polygon":
         polygons = [polygons]
@@ -71,7 +72,7 @@ def _outline(geometry) -> Outline:
     )
 
 
-def _draw_scale_bar(axis, width: float) -> None:
+def _draw_scale_bar(axis: Axes, width: float) -> None:
     """Draw a bar of 1, 2 or 5 times a power of ten metres below the plan."""
     steps = [factor * 10.0**power for power in range(-1, 4) for factor in (1, 2, 5)]
     length = max(step for step in steps if step <= max(width / 4, steps[0]))

@@ -11,26 +11,8 @@ from rasterio.crs import CRS
 from ..errors import InputError
 from ..progress import Progress
 from ..reference_systems import horizontal, name_of, require_metres
-from .formats.e57 import E57Source
-from .formats.las import LasSource
-from .formats.ply import PlySource
-from .formats.ptx import PtxSource
-from .formats.text import TextSource
+from .formats import format_of, readable_formats
 from .source import Chunk, Source, unreadable
-
-# A new format joins here with one line.
-READERS = {
-    ".las": LasSource.open,
-    ".laz": LasSource.open,
-    ".xyz": TextSource.open,
-    ".txt": TextSource.open,
-    ".csv": TextSource.open,
-    ".asc": TextSource.open,
-    ".pts": TextSource.open,
-    ".e57": E57Source.open,
-    ".ptx": PtxSource.open,
-    ".ply": PlySource.open,
-}
 
 
 @dataclass(frozen=True)
@@ -109,9 +91,10 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
 
 
 def clouds_in(folder: Path) -> list[Path]:
-    """Return the clouds in a folder, by name; TXT and CSV files only if there are no others.
+    """Return the clouds in a folder, by name.
 
-    Lists of points lie beside clouds as such files, and are none.
+    TXT and CSV files are returned only if there are no others, because lists of points, which are no
+    clouds, lie beside clouds as such files.
 
     Raises
     ------
@@ -119,13 +102,14 @@ def clouds_in(folder: Path) -> list[Path]:
         If there are none, or the folder cannot be read.
     """
     try:
-        found = sorted(path for path in folder.iterdir() if path.suffix.lower() in READERS)
+        found = [(path, format_of(path)) for path in sorted(folder.iterdir())]
     except OSError as error:
         raise unreadable(folder, error) from error
-    certain = [path for path in found if path.suffix.lower() not in (".txt", ".csv")]
-    if not found:
+    clouds = [path for path, known in found if known]
+    certain = [path for path, known in found if known and not known.may_be_list]
+    if not clouds:
         raise InputError(f"The folder {folder} holds no point cloud; choose another, or single files.")
-    return certain or found
+    return certain or clouds
 
 
 def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:
@@ -136,21 +120,20 @@ def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:
     places = [path.resolve() for path in files]
     repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
     if repeated:
-        raise InputError(f"{repeated} is given twice; remove it once.")
+        raise InputError(f"{repeated} is listed twice; remove one entry.")
     return tuple(_open(path) for path in files)
 
 
 def _open(path: Path) -> Source:
-    read = READERS.get(path.suffix.lower())
-    if read is None:
-        raise InputError(
-            f"{path} has an extension that is not known; convert it to one of {', '.join(READERS)}."
-        )
+    known = format_of(path)
+    if known is None:
+        raise InputError(f"{path} has an unknown extension; convert it to {readable_formats()}.")
     if not path.is_file():
-        raise InputError(f"{path} does not exist or is no file; check the name and the folder.")
+        raise InputError(f"{path} does not exist or is not a file; check the name and the folder.")
     if path.stat().st_size == 0:
         raise InputError(f"{path} is empty; copy or export it again.")
-    return read(path)
+    source: Source = known.open(path)
+    return source
 
 
 def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Optional[CRS], tuple[str, ...]]:

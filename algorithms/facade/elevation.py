@@ -1,4 +1,4 @@
-"""What the steps of the facade chapter hand to each other. Lengths in metres, angles in degrees."""
+"""The results of the facade chapter and of its steps. Lengths are in metres, angles in degrees."""
 
 from dataclasses import dataclass, field
 from typing import Optional
@@ -8,8 +8,8 @@ from shapely.geometry import MultiPolygon, Polygon
 
 OPENING, RECESS, COLOURED, PROJECTION = "opening", "recess", "coloured detail", "projection"
 KINDS = (OPENING, RECESS, COLOURED, PROJECTION)
-"""A hole through which nothing near is seen; a hole before a surface; another colour in the same
-plane; and a surface before the plane."""
+"""A hole through which nothing near is seen; a hole with a surface close behind; another colour in the
+plane of the wall; and a surface in front of it."""
 
 FREE, RECTANGLE, ARCH = "free", "rectangle", "arch"
 
@@ -27,9 +27,9 @@ class Points:
     rgb : ndarray of float32, shape (n, 3), or None
         0..255.
     intensity : ndarray of float32, shape (n,), or None
-        0..65535, as the scanner has it.
+        0..65535, as in the file.
     scan : ndarray of int32, shape (n,)
-        Which scan a point is from; numbers from 0.
+        The scan of each point, from 0.
     """
 
     xyz: np.ndarray
@@ -46,7 +46,7 @@ class Plane:
     Attributes
     ----------
     normal : ndarray of float64, shape (3,)
-        Of length 1; points to the side of the scanner.
+        Of length 1, towards the scanner.
     centre : ndarray of float64, shape (3,)
         The mean of its points, relative to the origin of the points.
     rms : float
@@ -73,8 +73,8 @@ class Segmentation:
     planes : tuple of Plane
         The main plane first, the others by falling number of points.
     labels : ndarray of int16, shape (n,)
-        1 for points of the first plane and so on, 0 for points of none, -1 for points of a plane
-        that stands before the facade, such as the street or a side wall.
+        1 for points of the first plane and so on, 0 for points outside all planes, -1 for points of a plane
+        in front of the facade, such as the street or a side wall.
     """
 
     planes: tuple[Plane, ...]
@@ -113,13 +113,21 @@ class Frame:
         return (xyz - (self.origin - origin)) @ self.axes.T
 
     def world(self, uvw: np.ndarray) -> np.ndarray:
-        """Return the places in the site, shape (n, 3), of points (u, v, w)."""
+        """Return the coordinates in the site, shape (n, 3), of points (u, v, w)."""
         return self.origin + np.asarray(uvw) @ self.axes
+
+
+def frame_of(plane: Plane, origin: np.ndarray) -> Frame:
+    """Return the frame of a plane: u, v, w are 0 at its centre, which is relative to `origin`."""
+    east, north, up = plane.normal
+    azimuth = float(np.degrees(np.arctan2(east, north)) % 360)
+    tilt = float(np.degrees(np.arctan2(up, np.hypot(east, north))))
+    return Frame(plane.centre + origin, azimuth, tilt)
 
 
 @dataclass(frozen=True)
 class Edges:
-    """Standard deviations of where the four sides of a detail lie (m); nan where nothing was seen.
+    """Standard deviations of the positions of the four sides of a detail (m); nan where nothing was seen.
 
     Attributes
     ----------
@@ -145,20 +153,20 @@ class Detail:
     shape : str
         `RECTANGLE`, `ARCH` or `FREE`.
     outline : Polygon
-        In u, v; regular if `shape` is.
+        In u, v; a rectangle or an arch if `shape` says so.
     raw : Polygon
-        As the points have it.
+        As the points show it.
     edges : Edges
     rms : float
         Of the points of the raw outline against the final one (m).
     depth : float
         Mean w of its surface; negative behind the wall, nan where none was seen.
     points : int
-        On its surface.
+        Their number, on its surface.
     colour : tuple of 3 float, or None
         Mean, 0..255.
     intensity : float or None
-        Mean, as the scanner has it.
+        Mean, as in the file.
     """
 
     number: int
@@ -175,19 +183,19 @@ class Detail:
 
     @property
     def width(self) -> float:
-        """From the leftmost to the rightmost place of the outline (m)."""
+        """From the leftmost to the rightmost point of the outline (m)."""
         left, _, right, _ = self.outline.bounds
         return right - left
 
     @property
     def height(self) -> float:
-        """From the lowest to the highest place of the outline (m)."""
+        """From the lowest to the highest point of the outline (m)."""
         _, bottom, _, top = self.outline.bounds
         return top - bottom
 
     @property
     def sill(self) -> float:
-        """The lowest place of the outline above the foot of the wall (m)."""
+        """The height of the lowest point of the outline above the foot of the wall (m)."""
         return self.outline.bounds[1]
 
     @property
@@ -215,15 +223,15 @@ class Elevation:
     frame : Frame
         u is 0 at the left end of the wall, v at its foot.
     wall : MultiPolygon
-        In u, v; with the openings and recesses as holes, but without what hides it.
+        In u, v; openings and recesses are holes in it.
     details : tuple of Detail
         By number.
     unseen : tuple of Polygon
-        Places of the wall that something before it hides, or where nothing came back.
+        Areas of the wall that something in front hides, or from which no laser pulse came back.
     spacing : float
         Median distance between neighbouring points of the wall (m).
     rows : ndarray of int64, shape (k,)
-        The points that belong to the facade and to what lies behind it, without what stands before it.
+        The points of the facade and close behind it, without those of objects in front of it.
     warnings : tuple of str
         What the user should know, in sentences.
     """

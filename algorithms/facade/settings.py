@@ -1,19 +1,36 @@
-"""The parameters of the facade chapter, with the symbols of the paper."""
+"""The settings of the facade chapter: the user's parameters, with the paper's symbols, and its stages."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
+
+from ..settings import judged, physical
+from .colour.settings import ColourSettings
+from .outlines.settings import OutlineSettings
+from .output.settings import OrthoimageSettings
+from .planes.settings import PlaneSettings
 
 
 @dataclass(frozen=True)
-class Settings:
+class ThinningSettings:
+    """How many points are measured at once."""
+
+    most_points: int = physical(
+        6_000_000, "A triangulation of more points needs more memory than most computers have."
+    )
+    finest_m: float = physical(0.002, "The first distance that points are thinned to: their noise.")
+    coarser: float = judged(1.05, "Each further distance is larger by this factor at least.")
+
+
+@dataclass(frozen=True)
+class FacadeSettings:
     """How the details of a facade are found.
 
     Attributes
     ----------
-    distance : float
-        ds, the largest distance of a point from its plane (m).
-    seed_radius : float
-        td, the largest radius of a seed surface (m).
+    distance_m : float
+        ds, the largest distance of a point from its plane.
+    seed_radius_m : float
+        td, the largest radius of a seed surface.
     seed_colour : float
         tr, the largest distance of the colour of a seed to the mean of its surface.
     seed_variance : float, optional
@@ -30,28 +47,42 @@ class Settings:
         eta, the number of larger triangles that a point may belong to.
     noise_iterations : int
         Rounds in which noise is removed, at most.
-    alpha : float, optional
-        Of the alpha shape (m); follows the spacing of the points if not given.
-    min_area : float, optional
-        Of a detail (m2); the square of `seed_radius` if not given.
+    alpha_m : float, optional
+        Of the alpha shape; follows the spacing of the points if not given.
+    min_area_m2 : float, optional
+        Of a detail; the square of `seed_radius_m` if not given.
     regularise : bool
-        Whether outlines become rectangles and arches where they are some.
+        Whether outlines become rectangles and arches where the points allow.
+    row_m : float
+        Details are numbered from above in rows of this height.
     """
 
-    distance: float = 0.05
-    seed_radius: float = 0.2
-    seed_colour: float = 30.0
+    distance_m: float = judged(
+        0.05, "ds of the paper; smaller divides bulging walls, larger swallows recesses."
+    )
+    seed_radius_m: float = judged(
+        0.2, "td of the paper; details are hardly smaller than a surface of this radius."
+    )
+    seed_colour: float = judged(30.0, "tr of the paper; a seed is typical of the surface around it.")
     seed_variance: Optional[float] = None
-    grow_colour: float = 60.0
+    grow_colour: float = judged(
+        60.0, "tr2 of the paper; smaller splits surfaces, larger joins similar colours."
+    )
     intensity: Optional[float] = None
-    triangle_factor: float = 3.0
-    triangle_count: int = 5
-    noise_iterations: int = 10
-    alpha: Optional[float] = None
-    min_area: Optional[float] = None
+    triangle_factor: float = judged(3.0, "delta of the paper, in mean areas of the triangles.")
+    triangle_count: int = judged(5, "eta of the paper.")
+    noise_iterations: int = judged(10, "About ten rounds in the paper; they end when nothing is removed.")
+    alpha_m: Optional[float] = None
+    min_area_m2: Optional[float] = None
     regularise: bool = True
+    row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
+    thinning: ThinningSettings = field(default_factory=ThinningSettings)
+    planes: PlaneSettings = field(default_factory=PlaneSettings)
+    colour: ColourSettings = field(default_factory=ColourSettings)
+    outlines: OutlineSettings = field(default_factory=OutlineSettings)
+    orthoimage: OrthoimageSettings = field(default_factory=OrthoimageSettings)
 
     @property
-    def smallest_area(self) -> float:
-        """The area of the smallest detail (m2)."""
-        return self.seed_radius**2 if self.min_area is None else self.min_area
+    def smallest_m2(self) -> float:
+        """The area of the smallest detail."""
+        return self.seed_radius_m**2 if self.min_area_m2 is None else self.min_area_m2

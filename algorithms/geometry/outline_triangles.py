@@ -14,7 +14,8 @@ from shapely.affinity import translate
 from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 
-from ..site_plan.density.grid import label_linked
+from .linked_parts import label_linked
+from .triangulation import triangle_areas
 
 SPACING = 0.1
 """Largest distance of samples along an outline, in metres."""
@@ -27,7 +28,7 @@ ROUNDS = 20
 
 
 @dataclass(frozen=True)
-class Mesh:
+class OutlineMesh:
     """Triangles inside the walls and around them.
 
     Attributes
@@ -72,9 +73,7 @@ class Mesh:
 
     def areas(self) -> np.ndarray:
         """Return the areas of all triangles in m2."""
-        a, b, c = np.moveaxis(self.points[self.triangles], 1, 0)
-        (x, y), (u, v) = (b - a).T, (c - a).T
-        return np.abs(x * v - y * u) / 2
+        return triangle_areas(self.points[self.triangles])
 
     def widths(self) -> np.ndarray:
         """Return the diameter of the largest circle, clear of outlines, with its centre in each triangle."""
@@ -106,7 +105,7 @@ class Sides:
     lengths: np.ndarray
 
 
-def triangulate(outlines: Iterable, margin: float = 1.0) -> Mesh:
+def triangulate_outlines(outlines: Iterable, margin: float = 1.0) -> OutlineMesh:
     """Triangulate walls and the space around them.
 
     Parameters
@@ -181,7 +180,7 @@ def _directed(sides: np.ndarray) -> np.ndarray:
     return sides[:, 0].astype(np.int64) << 32 | sides[:, 1]
 
 
-def _mesh(origin: np.ndarray, points: np.ndarray, delaunay: Delaunay, pieces: np.ndarray) -> Mesh:
+def _mesh(origin: np.ndarray, points: np.ndarray, delaunay: Delaunay, pieces: np.ndarray) -> OutlineMesh:
     """Tell the triangles inside the walls: those on the left of an outline, and all up to the next one."""
     triangles, neighbours = delaunay.simplices, delaunay.neighbors
     sides = _all_sides(triangles)
@@ -192,4 +191,4 @@ def _mesh(origin: np.ndarray, points: np.ndarray, delaunay: Delaunay, pieces: np
     part = label_linked(triangle, neighbours[triangle, corner], len(triangles))
     votes = on_left.sum(axis=1) - on_right.sum(axis=1)
     wall = np.bincount(part, weights=votes)[part] > 0
-    return Mesh(origin, points, triangles, neighbours, outline, wall)
+    return OutlineMesh(origin, points, triangles, neighbours, outline, wall)

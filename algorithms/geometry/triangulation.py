@@ -53,8 +53,7 @@ class Mesh:
     @cached_property
     def areas(self) -> np.ndarray:
         """Areas of the triangles, shape (m,)."""
-        a, b, c = (self.points[self.triangles[:, corner]] for corner in range(3))
-        return 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+        return triangle_areas(self.points[self.triangles])
 
     @cached_property
     def circumradii(self) -> np.ndarray:
@@ -104,6 +103,13 @@ class Mesh:
         rows, columns = np.concatenate([first, second]), np.concatenate([second, first])
         matrix = coo_matrix((ones, (rows, columns)), shape=(size, size)).tocsr()
         return matrix.indptr, matrix.indices
+
+
+def triangle_areas(corners: np.ndarray) -> np.ndarray:
+    """Return the areas of triangles; corners of shape (m, 3, 2)."""
+    a, b, c = np.moveaxis(corners, 1, 0)
+    (x, y), (u, v) = (b - a).T, (c - a).T
+    return 0.5 * np.abs(x * v - y * u)
 
 
 def triangulate(points: np.ndarray) -> Mesh:

@@ -8,14 +8,14 @@ import numpy as np
 from ..errors import InputError
 from ..progress import Progress
 from .adjustment.block_adjustment import adjust_block
+from .adjustment.control_network import Network
 from .adjustment.evaluation import Frames, describe_points, describe_scans
-from .adjustment.network import Network
-from .adjustment.test_statistics import global_test
+from .adjustment.statistical_tests import global_test
 from .lists.point_list import PointList
 from .matching.control_points import factor_of
-from .matching.growth import grow
 from .matching.scan_matching import doubles
 from .results import GlobalTest, Registration
+from .sequential_registration import grow
 from .settings import Settings
 
 

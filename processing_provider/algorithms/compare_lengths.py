@@ -5,7 +5,7 @@ from functools import partial
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, TableDestination
-from ..parameters.parameter import TableFile
+from ..parameters.files import TableFile
 
 
 class CompareLengthsAlgorithm(Algorithm):

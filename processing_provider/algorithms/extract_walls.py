@@ -2,7 +2,7 @@
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.parameter import RasterFile
+from ..parameters.files import RasterFile
 from ..parameters.walls import (
     WALL_NUMBERS,
     WALL_PARAMETERS,

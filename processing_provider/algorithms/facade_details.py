@@ -11,9 +11,6 @@ from ..parameters.destinations import (
 )
 from ..parameters.facade import FILL_HOLES, PIXEL_SIZE, SETTINGS
 
-MOST_POINTS = 6_000_000
-"""More are thinned, for a triangulation of them takes more memory than most computers have."""
-
 
 class FacadeDetailsAlgorithm(Algorithm):
     """Measure the details of a facade."""
@@ -87,18 +84,18 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict, log: Log) -> Outcome:
         """Measure the facade."""
-        from ...algorithms.facade.facade import measure_facade
+        from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing
         from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
         from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
         from ...algorithms.facade.output.schedule import write_schedule
-        from ...algorithms.facade.planes.facade_points import read_points
-        from ...algorithms.facade.settings import Settings
+        from ...algorithms.facade.points import read_points
+        from ...algorithms.facade.settings import FacadeSettings
 
-        settings = Settings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
+        settings = FacadeSettings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
         cloud = open_site(values)
         log.warn(cloud.warnings)
-        points = read_points(cloud, log.progress.part(0.0, 0.2), MOST_POINTS)
+        points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
         elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
@@ -108,7 +105,7 @@ class FacadeDetailsAlgorithm(Algorithm):
                 "ELEVATION": lambda path: write_elevation(path, elevation),
                 "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
                 "ORTHOIMAGE": lambda path: write_orthoimage(
-                    path, points, elevation, pixel_size, values["FILL_HOLES"]
+                    path, points, elevation, pixel_size, values["FILL_HOLES"], settings.orthoimage
                 ),
                 "SCHEDULE": lambda path: write_schedule(path, elevation),
                 "DRAWING": lambda path: write_drawing(path, elevation),

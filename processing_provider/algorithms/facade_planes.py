@@ -58,19 +58,15 @@ class FacadePlanesAlgorithm(Algorithm):
         """Find the planes; the points are copied when the file is written."""
         from ...algorithms.clouds.writing.labelling import write_labelled
         from ...algorithms.facade.output.plane_layers import write_planes
-        from ...algorithms.facade.planes.facade_points import read_points
-        from ...algorithms.facade.planes.planes import find_planes
+        from ...algorithms.facade.planes.segmentation import find_planes
+        from ...algorithms.facade.planes.settings import PlaneSettings
+        from ...algorithms.facade.points import read_points
 
         cloud = open_site(values)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.4))
-        found = find_planes(
-            points,
-            values["DISTANCE"],
-            values["MIN_POINTS"],
-            values["MAX_PLANES"],
-            log.progress.part(0.4, 0.8),
-        )
+        settings = PlaneSettings(min_points=values["MIN_POINTS"], max_planes=values["MAX_PLANES"])
+        found = find_planes(points, values["DISTANCE"], settings, log.progress.part(0.4, 0.8))
         for number, plane in enumerate(found.planes, start=1):
             log.info(f"Plane {number}: {plane.points} points, rms {1000 * plane.rms:.1f} mm.")
         numbers = np.maximum(found.labels, 0).astype(np.uint16)

@@ -1,5 +1,6 @@
 """The algorithm `thincloud`."""
 
+from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS, SPACING, open_site
@@ -19,9 +20,7 @@ class ThinCloudAlgorithm(Algorithm):
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (CLOUDS, SPACING)
-    destinations = (
-        CloudDestination("OUTPUT", "Thinned cloud", "LAZ, LAS or text (XYZ, TXT, CSV), by extension."),
-    )
+    destinations = (CloudDestination("OUTPUT", "Thinned cloud", f"{writable_formats()}, by extension."),)
     numbers = (
         ("POINTS_IN", "Number of points in the clouds"),
         ("POINTS_OUT", "Number of points after thinning"),
@@ -30,7 +29,7 @@ class ThinCloudAlgorithm(Algorithm):
     def compute(self, values: dict, log: Log) -> Outcome:
         """Thin the clouds; the points are copied when the file is written."""
         from ...algorithms.clouds.thinning.thinning import thin_cloud
-        from ...algorithms.clouds.writing.cloud_writing import write_cloud
+        from ...algorithms.clouds.writing.point_selection import write_cloud
 
         cloud = open_site(values)
         thinned = thin_cloud(cloud, values["SPACING"], log.progress.part(0.0, 0.7))

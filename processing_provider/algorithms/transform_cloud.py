@@ -6,7 +6,7 @@ from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS
 from ..parameters.destinations import FolderDestination
-from ..parameters.parameter import JsonFile
+from ..parameters.files import JsonFile
 
 
 class TransformCloudAlgorithm(Algorithm):
@@ -46,7 +46,11 @@ class TransformCloudAlgorithm(Algorithm):
     def compute(self, values: dict, log: Log) -> Outcome:
         """Find the transformation of each cloud; the points are moved when the files are written."""
         from ...algorithms.clouds.cloud import open_sources, parts
-        from ...algorithms.clouds.writing.transformation import transform_cloud, transformed_names
+        from ...algorithms.clouds.writing.transformation import (
+            transform_cloud,
+            transformed_names,
+            unit_warnings,
+        )
         from ...algorithms.registration.output.transforms import match_clouds, read_transforms
 
         transforms = read_transforms(values["TRANSFORMS"])
@@ -55,6 +59,7 @@ class TransformCloudAlgorithm(Algorithm):
         log.warn(warnings)
         sources = tuple(source for source, scan in zip(sources, scans) if scan)
         scans = tuple(scan for scan in scans if scan)
+        log.warn(unit_warnings(sources))
         if transforms.crs is None:
             log.warn(
                 [f"{transforms.path} names no coordinate reference system, so the results have none either."]

@@ -2,7 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from .parameter import CloudFiles, Number, ReferenceSystem
+from ...algorithms.clouds.formats import readable_formats
+from .files import CloudFiles
+from .parameter import Number, ReferenceSystem
 
 if TYPE_CHECKING:
     from ...algorithms.clouds.cloud import Cloud
@@ -10,8 +12,7 @@ if TYPE_CHECKING:
 CLOUDS = CloudFiles(
     "INPUT",
     "Point clouds",
-    "One or more scans of one site: LAS, LAZ, COPC, E57, PTX, PLY or text (XYZ, TXT, CSV, PTS); "
-    "or a folder of them. "
+    f"One or more scans of one site: {readable_formats()}; or a folder of them. "
     "On the command line, repeat INPUT=file or separate the files by semicolons.",
 )
 

@@ -1,14 +1,17 @@
-"""Kinds of output files: what QGIS asks for, which extensions can be written, and what is refused."""
+"""Kinds of output files: their QGIS definitions, the extensions that can be written, and what is refused."""
 
 import tempfile
 from abc import abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional
+from typing import Any, Callable, Optional
 
 from qgis.core import (
     QgsProcessing,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingOutputDefinition,
     QgsProcessingOutputMultipleLayers,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterFolderDestination,
@@ -16,11 +19,18 @@ from qgis.core import (
     QgsProcessingParameterVectorDestination,
 )
 
+from ...algorithms.clouds.formats import FORMATS
 from ...algorithms.errors import InputError, MissingPackageError
 from ..dependencies import lacking
 from .parameter import Parameter
 
 DRAWING_MODULES = ("ezdxf",)
+
+Writer = Callable[[Path], Any]
+"""Writes one file."""
+
+FolderWriters = Mapping[str, Writer]
+"""Writers of the files of a folder, by the names of the files."""
 
 
 @dataclass(frozen=True)
@@ -30,11 +40,11 @@ class Destination(Parameter):
     Attributes
     ----------
     style : str or None
-        Name of the style, in the folder styles, with which QGIS shows it.
+        Name of its style in the folder styles.
     optional : bool
-        Whether the user may do without it.
+        Whether the user may leave it empty.
     by_default : bool
-        Whether an optional file is made unless the user says otherwise.
+        Whether an optional file is made unless the user switches it off.
     """
 
     style: Optional[str] = None
@@ -43,18 +53,18 @@ class Destination(Parameter):
 
     @property
     @abstractmethod
-    def extensions(self) -> tuple:
+    def extensions(self) -> tuple[str, ...]:
         """Endings that can be written."""
 
-    def files(self, path: Path, writer) -> dict:
-        """Return what writes each file of this output, by path."""
+    def files(self, path: Path, writer: Any) -> dict[Path, Writer]:
+        """Return the writers of the files of this output, by path."""
         return {path: writer}
 
-    def further_outputs(self) -> list:
-        """Return definitions of outputs besides the file itself."""
+    def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
+        """Return the definitions of outputs besides the file itself."""
         return []
 
-    def results(self, path: Path, writer) -> dict:
+    def results(self, path: Path, writer: Any) -> dict[str, Any]:
         """Return the values of all outputs of this destination, by name."""
         return {self.name: str(path)}
 
@@ -64,18 +74,23 @@ class Destination(Parameter):
             endings = " or ".join(self.extensions)
             case = ", in lower case" if path.suffix.lower() in self.extensions else ""
             raise InputError(f"{self.name} {path} cannot be written; end the name in {endings}{case}.")
-        self._check_place(path)
+        self._check_folder(path)
         if path.is_dir() or not _is_writable(path.parent):
             raise InputError(f"{self.name} {path} cannot be written; choose another name or folder.")
 
-    def _check_place(self, path: Path) -> None:
+    def _check_folder(self, path: Path) -> None:
         if not path.parent.is_dir():
-            raise InputError(f"{self.name} {path}: there is no folder {path.parent}; create it first.")
+            raise InputError(
+                f"{self.name} {path} cannot be written because the folder {path.parent} does not exist; "
+                "create it first."
+            )
 
-    def value(self, algorithm, parameters, context) -> Optional[Path]:
-        """Return the path; None if the user does without the file.
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[Path]:
+        """Return the path; None if the user leaves it empty.
 
-        To be asked once for a run: QGIS invents temporary names and lists layers to load when asked.
+        To be called once a run: QGIS makes up a temporary name and lists a layer to load at each call.
         """
         text = self._path(algorithm, parameters, context)
         if text:
@@ -84,7 +99,9 @@ class Destination(Parameter):
             raise InputError(f"{self.name} is empty; choose a file to write.")
         return None
 
-    def _path(self, algorithm, parameters, context) -> str:
+    def _path(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> str:
         return algorithm.parameterAsOutputLayer(parameters, self.name, context)
 
 
@@ -102,7 +119,7 @@ class RasterDestination(Destination):
 
 @dataclass(frozen=True)
 class VectorDestination(Destination):
-    """A GeoPackage or shapefile; a subclass says of which geometry."""
+    """A GeoPackage or shapefile; a subclass sets its geometry."""
 
     extensions = (".gpkg", ".shp")
     geometry = QgsProcessing.SourceType.TypeVectorAnyGeometry
@@ -140,7 +157,7 @@ class PointDestination(VectorDestination):
 
 @dataclass(frozen=True)
 class FileDestination(Destination):
-    """A file that is no layer; a subclass says of which kind."""
+    """A file that is not a layer; a subclass sets its kind."""
 
     filters = ""
 
@@ -149,7 +166,9 @@ class FileDestination(Destination):
             self.name, self.description, self.filters, optional=self.optional, createByDefault=self.by_default
         )
 
-    def _path(self, algorithm, parameters, context) -> str:
+    def _path(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> str:
         return algorithm.parameterAsFileOutput(parameters, self.name, context)
 
 
@@ -157,13 +176,13 @@ class FileDestination(Destination):
 class CloudDestination(FileDestination):
     """A point cloud."""
 
-    extensions = (".laz", ".las", ".xyz", ".csv", ".txt")
-    filters = "LAZ files (*.laz);;LAS files (*.las);;Text (*.xyz *.txt);;CSV (*.csv)"
+    extensions = tuple(item.extension for item in FORMATS if item.is_written)
+    filters = ";;".join(f"{item.name} files (*{item.extension})" for item in FORMATS if item.is_written)
 
 
 @dataclass(frozen=True)
 class JsonDestination(FileDestination):
-    """A json file."""
+    """A JSON file."""
 
     extensions = (".json",)
     filters = "JSON files (*.json)"
@@ -179,14 +198,16 @@ class TableDestination(FileDestination):
 
 @dataclass(frozen=True)
 class DrawingDestination(FileDestination):
-    """A drawing, not made unless asked for, since it needs a package that QGIS may lack."""
+    """A drawing; made only on request, because it needs a package that QGIS may lack."""
 
     by_default: bool = False
     extensions = (".dxf",)
     filters = "DXF files (*.dxf)"
 
-    def value(self, algorithm, parameters, context) -> Optional[Path]:
-        """Return the path; refuse it if it cannot be written, before anything is computed."""
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[Path]:
+        """Return the path, or refuse it before anything is computed if drawings cannot be written."""
         path = super().value(algorithm, parameters, context)
         if path and lacking(DRAWING_MODULES):
             raise MissingPackageError(self.name, DRAWING_MODULES, "written")
@@ -195,7 +216,7 @@ class DrawingDestination(FileDestination):
 
 @dataclass(frozen=True)
 class HtmlDestination(FileDestination):
-    """A page, which QGIS lists in its results viewer."""
+    """A page that QGIS lists in its results viewer."""
 
     extensions = (".html", ".htm")
     filters = "HTML files (*.html *.htm)"
@@ -203,12 +224,12 @@ class HtmlDestination(FileDestination):
 
 @dataclass(frozen=True)
 class FolderDestination(Destination):
-    """A folder of files; it is made if only itself is missing.
+    """A folder of files; it is made if its parent folder exists.
 
     Attributes
     ----------
     listing : str
-        Name of a further output, the list of the files: the model designer hands on no folders.
+        Name of a further output, the list of the files; models cannot pass folders on.
     """
 
     listing: str = ""
@@ -217,43 +238,45 @@ class FolderDestination(Destination):
     def _definition(self) -> QgsProcessingParameterFolderDestination:
         return QgsProcessingParameterFolderDestination(self.name, self.description, optional=self.optional)
 
-    def files(self, path: Path, writer: dict) -> dict:
-        """Return what writes each file of the folder; `writer` holds it by the name of the file."""
+    def files(self, path: Path, writer: FolderWriters) -> dict[Path, Writer]:
+        """Return the writers of the files of the folder, by path."""
         return {path / name: write for name, write in writer.items()}
 
-    def further_outputs(self) -> list:
+    def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
         """Return the definition of the list of files."""
         return [QgsProcessingOutputMultipleLayers(self.listing, f"{self.label}, one by one")]
 
-    def results(self, path: Path, writer: dict) -> dict:
+    def results(self, path: Path, writer: FolderWriters) -> dict[str, Any]:
         """Return the folder and the list of its new files."""
         return {self.name: str(path), self.listing: [str(file) for file in self.files(path, writer)]}
 
     def check(self, path: Path) -> None:
         """Refuse a folder that cannot be made or written to."""
-        self._check_place(path)
+        self._check_folder(path)
         if path.is_file() or not _is_writable(path if path.is_dir() else path.parent):
             raise InputError(f"{self.name} {path} cannot be written to; choose another folder.")
 
-    def _path(self, algorithm, parameters, context) -> str:
+    def _path(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> str:
         return algorithm.parameterAsFileOutput(parameters, self.name, context)
 
 
-def check_outputs(outputs: dict, sources: Iterable) -> None:
-    """Refuse, before any work is done, files that cannot be written.
+def check_outputs(outputs: dict[Destination, Path], sources: Iterable[str]) -> None:
+    """Refuse files that cannot be written, before anything is computed.
 
     Parameters
     ----------
     outputs : dict of Destination to Path
-        Where to write.
+        The files to write.
     sources : iterable of str
-        Files that are read.
+        The files that are read.
 
     Raises
     ------
     InputError
-        If an extension is unknown, a folder is missing or not writable, or a file is written twice
-        or read as well.
+        If an extension is unknown, if a folder does not exist or is not writable, or if a file is written
+        twice or read as well.
     """
     taken = {Path(source).resolve(): "an input" for source in sources}
     for output, path in outputs.items():
@@ -264,7 +287,7 @@ def check_outputs(outputs: dict, sources: Iterable) -> None:
 
 
 def _is_writable(folder: Path) -> bool:
-    """Try, for permissions do not tell on every system."""
+    """Whether a file can be made there; permissions alone do not say so on every system."""
     try:
         with tempfile.TemporaryFile(dir=folder):
             return True

@@ -167,8 +167,8 @@ FILL_HOLES = Flag(
 )
 
 SETTINGS = {
-    "distance": DISTANCE,
-    "seed_radius": SEED_RADIUS,
+    "distance_m": DISTANCE,
+    "seed_radius_m": SEED_RADIUS,
     "seed_colour": SEED_COLOUR,
     "seed_variance": SEED_VARIANCE,
     "grow_colour": GROW_COLOUR,
@@ -176,8 +176,8 @@ SETTINGS = {
     "triangle_factor": TRIANGLE_FACTOR,
     "triangle_count": TRIANGLE_COUNT,
     "noise_iterations": NOISE_ITERATIONS,
-    "alpha": ALPHA,
-    "min_area": MIN_AREA,
+    "alpha_m": ALPHA,
+    "min_area_m2": MIN_AREA,
     "regularise": REGULARISE,
 }
 """The parameters, by the settings of the core that they are."""

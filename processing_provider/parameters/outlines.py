@@ -1,15 +1,17 @@
 """Parameters that are layers of outlines: files, layers of the project, and outputs of a model."""
 
-# ruff: noqa: D102 - what overrides a method or property is described where that is.
+# ruff: noqa: D102 - an override is described at the method or property that it overrides.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
     QgsFeature,
     QgsGeometry,
     QgsProcessing,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
     QgsProcessingParameterVectorLayer,
     QgsProviderRegistry,
     QgsVectorLayer,
@@ -28,7 +30,7 @@ LINES = QgsProcessing.SourceType.TypeVectorLine
 
 @dataclass(frozen=True)
 class OutlineLayer(Parameter):
-    """A layer of polygons; also of lines, if `lines` says so."""
+    """A layer of polygons, or with `lines` one of polygons or lines."""
 
     lines: bool = False
 
@@ -36,7 +38,9 @@ class OutlineLayer(Parameter):
         kinds = [POLYGONS, LINES] if self.lines else [POLYGONS]
         return QgsProcessingParameterVectorLayer(self.name, self.description, kinds)
 
-    def value(self, algorithm, parameters, context) -> "Outlines":
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> "Outlines":
         from ...algorithms.evaluation.outlines import outlines_of
 
         layer = algorithm.parameterAsVectorLayer(parameters, self.name, context)
@@ -48,17 +52,17 @@ class OutlineLayer(Parameter):
             f"{self.name} {layer.name()}", _geometries(layer), layer.crs().toWkt(), _file(layer)
         )
 
-    def sources(self, value) -> list:
+    def sources(self, value: Any) -> list[str]:
         return [value.path] if value.path else []
 
 
 def _file(layer: QgsVectorLayer) -> Optional[str]:
-    """Return the file of a layer, None if it has none."""
+    """Return the file of a layer; None for layers without a file."""
     return QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source()).get("path") or None
 
 
 def _geometries(layer: QgsVectorLayer) -> Iterator[Optional[bytes]]:
-    """Yield the geometries, of the features that the layer shows and as it was edited, as WKB."""
+    """Yield the geometries of the features that pass the filter of the layer, with its edits, as WKB."""
     for feature in layer.getFeatures():
         yield _straight(feature)
 
@@ -68,6 +72,6 @@ def _straight(feature: QgsFeature) -> Optional[bytes]:
     if geometry.isNull():
         return None
     if QgsWkbTypes.isCurvedType(geometry.wkbType()):
-        # Drawings have arcs, which few libraries know.
+        # Drawings have arcs, which shapely cannot read.
         geometry = QgsGeometry(geometry.constGet().segmentize())
     return geometry.asWkb().data()

@@ -1,43 +1,34 @@
-"""Kinds of parameters: name, label, unit, default, limits and help of each stand together, once.
+"""Kinds of parameters: name, label, unit, default, limits and help are declared together, once.
 
 A parameter makes its QGIS definition, and reads and checks its value. A value that cannot be used raises
-`InputError`, with one sentence for the user.
+`InputError` with one sentence for the user. Parameters that are files are in `files`.
 """
 
-# ruff: noqa: D102 - what overrides a method or property is described where that is.
+# ruff: noqa: D102 - an override is described at the method or property that it overrides.
 
 import math
 import sys
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsMapLayer,
-    QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
-    QgsProcessingUtils,
-    QgsProperty,
 )
-from qgis.PyQt.QtCore import QFile
 
 from ...algorithms.errors import InputError
 
 
 @dataclass(frozen=True)
 class Parameter(ABC):
-    """What all parameters have.
+    """Base of the parameters.
 
     Attributes
     ----------
@@ -55,12 +46,12 @@ class Parameter(ABC):
 
     @property
     def description(self) -> str:
-        """The label, with the unit if there is one."""
+        """The label, with the unit if the parameter has one."""
         return self.label
 
     @property
     def explanation(self) -> str:
-        """The help, with the default and the limits if there are any."""
+        """The help, with the default and the limits if the parameter has them."""
         return self.help
 
     def definition(self) -> QgsProcessingParameterDefinition:
@@ -74,17 +65,19 @@ class Parameter(ABC):
         """Return a definition without help."""
 
     @abstractmethod
-    def value(self, algorithm: QgsProcessingAlgorithm, parameters: dict, context: QgsProcessingContext):
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Any:
         """Return the value of this parameter among `parameters`, or raise `InputError`."""
 
-    def sources(self, value) -> list:
-        """Return the files that a value stands for, which no output may replace."""
+    def sources(self, value: Any) -> list[str]:
+        """Return the files that a value refers to; no output may replace them."""
         return []
 
 
 @dataclass(frozen=True)
 class Number(Parameter):
-    """A number; if it has no default, it is optional, and None where the user does not set it."""
+    """A number; without a default it is optional, and None if the user leaves it empty."""
 
     unit: str
     minimum: float
@@ -117,8 +110,10 @@ class Number(Parameter):
         definition.setMetadata({"widget_wrapper": {"decimals": self.decimals}})
         return _marked(definition) if self.advanced else definition
 
-    def value(self, algorithm, parameters, context) -> Union[int, float, None]:
-        # As a string, for QGIS reads a word as 0, and does not tell an empty value from it.
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Union[int, float, None]:
+        # As a string, because QGIS reads both a word and an empty value as 0.
         text = algorithm.parameterAsString(parameters, self.name, context).strip()
         if not text:
             return self.default
@@ -141,7 +136,7 @@ class Number(Parameter):
 class Choice(Parameter):
     """One of several options, by its number from 0; the first is the default."""
 
-    options: tuple
+    options: tuple[str, ...]
     advanced: bool = False
 
     @property
@@ -150,7 +145,7 @@ class Choice(Parameter):
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
-        # Optional, for a model that was stored before an advanced choice was added has no value of it.
+        # Optional, because models stored before an advanced choice was added have no value for it.
         definition = QgsProcessingParameterEnum(
             self.name,
             self.description,
@@ -161,8 +156,10 @@ class Choice(Parameter):
         )
         return _marked(definition) if self.advanced else definition
 
-    def value(self, algorithm, parameters, context) -> int:
-        # As a string, for QGIS takes what it does not know for the default.
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> int:
+        # As a string, because QGIS replaces an unknown value by the default.
         text = algorithm.parameterAsString(parameters, self.name, context).strip()
         numbers = {str(number): number for number in range(len(self.options))}
         if text and text not in numbers:
@@ -186,8 +183,10 @@ class Flag(Parameter):
         definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
         return _marked(definition) if self.advanced else definition
 
-    def value(self, algorithm, parameters, context) -> bool:
-        # As a string, for QGIS takes any word for yes.
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> bool:
+        # As a string, because QGIS reads any word as yes.
         text = algorithm.parameterAsString(parameters, self.name, context).strip().lower()
         words = {
             "true": True,
@@ -204,85 +203,15 @@ class Flag(Parameter):
 
 
 @dataclass(frozen=True)
-class CloudFiles(Parameter):
-    """One or more point cloud files."""
-
-    def _definition(self) -> QgsProcessingParameterMultipleLayers:
-        files = QgsProcessing.SourceType.TypeFile
-        return QgsProcessingParameterMultipleLayers(self.name, self.description, files)
-
-    def value(self, algorithm, parameters, context) -> list:
-        given = _files(parameters.get(self.name), context)
-        if not given:
-            raise InputError(f"{self.name} is empty; choose at least one point cloud file.")
-        return [path for item in given for path in _in_folder(item)]
-
-    def sources(self, value) -> list:
-        return value
-
-
-@dataclass(frozen=True)
-class RasterFile(Parameter):
-    """A raster, from a file or a loaded layer."""
-
-    def _definition(self) -> QgsProcessingParameterRasterLayer:
-        return QgsProcessingParameterRasterLayer(self.name, self.description)
-
-    def value(self, algorithm, parameters, context) -> str:
-        given = parameters.get(self.name)
-        if isinstance(given, QgsMapLayer):
-            return given.source()
-        text = algorithm.parameterAsString(parameters, self.name, context).strip()
-        if not text:
-            raise InputError(f"{self.name} is empty; choose a raster.")
-        return _source(text, context)
-
-    def sources(self, value) -> list:
-        return [value]
-
-
-@dataclass(frozen=True)
-class PlainFile(Parameter):
-    """A file that is no layer; a subclass says of which kind."""
-
-    kind = ""
-
-    def _definition(self) -> QgsProcessingParameterFile:
-        files = f"{self.kind.upper()} files (*.{self.kind});;All files (*)"
-        return QgsProcessingParameterFile(self.name, self.description, fileFilter=files)
-
-    def value(self, algorithm, parameters, context) -> str:
-        path = algorithm.parameterAsFile(parameters, self.name, context).strip()
-        if not path:
-            raise InputError(f"{self.name} is empty; choose a {self.kind} file.")
-        return path
-
-    def sources(self, value) -> list:
-        return [value]
-
-
-@dataclass(frozen=True)
-class JsonFile(PlainFile):
-    """A json file."""
-
-    kind = "json"
-
-
-@dataclass(frozen=True)
-class TableFile(PlainFile):
-    """A table."""
-
-    kind = "csv"
-
-
-@dataclass(frozen=True)
 class ReferenceSystem(Parameter):
     """An optional coordinate reference system."""
 
     def _definition(self) -> QgsProcessingParameterCrs:
         return QgsProcessingParameterCrs(self.name, self.description, optional=True)
 
-    def value(self, algorithm, parameters, context) -> Optional[QgsCoordinateReferenceSystem]:
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[QgsCoordinateReferenceSystem]:
         crs = algorithm.parameterAsCrs(parameters, self.name, context)
         if crs.isValid():
             return crs
@@ -293,41 +222,7 @@ class ReferenceSystem(Parameter):
 
 
 def _marked(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
-    """Put a definition among the advanced ones."""
+    """Return the definition, shown among the advanced ones."""
     advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     definition.setFlags(definition.flags() | advanced)
     return definition
-
-
-def _files(given, context: QgsProcessingContext) -> list:
-    """Return the paths in any of the spellings that dialogs, scripts, models and command lines have."""
-    if isinstance(given, QgsProperty):
-        given, _ = given.value(context.expressionContext())
-    if isinstance(given, QgsMapLayer):
-        return [given.source()]
-    if isinstance(given, (list, tuple)):
-        return [path for item in given for path in _files(item, context)]
-    return [_source(path, context) for path in _split(str(given))] if given else []
-
-
-def _in_folder(path: str) -> list:
-    """Return the clouds in a folder, as another algorithm may have written it, or the path itself."""
-    if not Path(path).is_dir():
-        return [path]
-    from ...algorithms.clouds.cloud import clouds_in
-
-    return [str(cloud) for cloud in clouds_in(Path(path))]
-
-
-def _split(text: str) -> list:
-    """Return the paths in a text that may hold several, separated by semicolons or line ends."""
-    if QFile.exists(text):
-        return [text]
-    return [part.strip() for part in text.replace("\n", ";").split(";") if part.strip()]
-
-
-def _source(text: str, context: QgsProcessingContext) -> str:
-    """Return the path of a file, which may be given by the id or name of a loaded layer."""
-    loading = False
-    layer = None if QFile.exists(text) else QgsProcessingUtils.mapLayerFromString(text, context, loading)
-    return layer.source() if layer else text

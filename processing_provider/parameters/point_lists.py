@@ -24,7 +24,8 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QFile
 
 from ...algorithms.errors import InputError
-from .parameter import Parameter, _split
+from .files import split_paths
+from .parameter import Parameter
 
 if TYPE_CHECKING:
     from ...algorithms.registration.lists.point_list import PointList
@@ -84,7 +85,7 @@ def _items(given, context: QgsProcessingContext) -> list:
         return [given]
     if isinstance(given, (list, tuple)):
         return [item for part in given for item in _items(part, context)]
-    return [_layer_or_path(part, context) for part in _split(str(given))] if given else []
+    return [_layer_or_path(part, context) for part in split_paths(str(given))] if given else []
 
 
 def _layer_or_path(text: str, context: QgsProcessingContext) -> Union[QgsMapLayer, str]:

@@ -85,14 +85,14 @@ def test_a_locked_output_keeps_its_sidecars_too(tmp_path, monkeypatch):
 
 
 def test_a_missing_folder_is_named(tmp_path):
-    missing = pytest.raises(InputError, match="folder is missing; create it first")
+    missing = pytest.raises(InputError, match="folder does not exist; create it first")
     with missing, atomic_output(tmp_path / "nowhere" / "plan.tif"):
         pass
 
 
-def test_a_file_is_no_folder(tmp_path):
+def test_a_file_is_not_a_folder(tmp_path):
     (tmp_path / "file").write_text("")
-    missing = pytest.raises(InputError, match="folder is missing")
+    missing = pytest.raises(InputError, match="folder does not exist")
     with missing, atomic_output(tmp_path / "file" / "plan.tif"):
         pass
 

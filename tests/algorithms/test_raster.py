@@ -52,7 +52,7 @@ def test_a_raster_that_cannot_be_read_as_it_was_written_is_not_published(tmp_pat
     path = tmp_path / "plan.tif"
     path.write_bytes(b"old")
     monkeypatch.setattr(np, "array_equal", lambda one, other: False)
-    with pytest.raises(InputError, match=r"plan\.tif cannot be written whole"):
+    with pytest.raises(InputError, match=r"plan\.tif was not written completely"):
         write_raster(path, {"wall": np.eye(3, dtype=np.uint8)}, GRID, None)
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]

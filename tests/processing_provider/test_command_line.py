@@ -41,7 +41,7 @@ def test_siteplan_needs_only_clouds_and_a_name(command, room, tmp_path):
     assert {file.name for file in tmp_path.iterdir()} == expected
 
 
-def test_a_repeated_input_is_one_site(command, room, tmp_path):
+def test_repeated_inputs_are_one_site(command, room, tmp_path):
     shutil.copy(room, tmp_path / "b.laz")
     done = command(
         "run", "ichnograph:thincloud", "--", f"INPUT={room}", "INPUT=b.laz", "OUTPUT=thin.laz", "SPACING=0.5"

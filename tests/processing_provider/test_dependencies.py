@@ -33,7 +33,7 @@ def test_on_debian_the_distribution_comes_first(without):
     assert "pip install --user --break-system-packages --no-deps lazrs`" in sentence
 
 
-def test_a_desktop_is_told_before_it_runs(provider, without):
+def test_a_desktop_is_warned_before_it_runs(provider, without):
     algorithm = provider.algorithm("siteplan").create()
 
     assert algorithm.canExecute() == (True, "")
@@ -58,7 +58,7 @@ def _memory(definition):
     return QgsVectorLayer(definition, "walls", "memory")
 
 
-def test_a_script_is_told_when_it_runs(run, room, without, tmp_path):
+def test_a_script_is_refused_when_it_runs(run, room, without, tmp_path):
     from qgis.core import QgsProcessingException
 
     sentence = without("lazrs", managed=True)
@@ -67,7 +67,7 @@ def test_a_script_is_told_when_it_runs(run, room, without, tmp_path):
     assert str(caught.value) == sentence
 
 
-def test_without_pye57_only_e57_files_are_refused_and_the_remedy_is_told(run, room, monkeypatch, tmp_path):
+def test_without_pye57_only_e57_files_are_refused_with_the_remedy(run, room, monkeypatch, tmp_path):
     from qgis.core import QgsProcessingException
 
     for module in ("pye57", "pyquaternion"):
@@ -86,7 +86,7 @@ def test_without_pye57_only_e57_files_are_refused_and_the_remedy_is_told(run, ro
     assert "apt" not in sentence
 
 
-def test_a_package_that_is_there_but_broken_is_told(run, monkeypatch, room, tmp_path):
+def test_a_package_that_is_installed_but_broken_is_reported(run, monkeypatch, room, tmp_path):
     from qgis.core import QgsProcessingException
 
     monkeypatch.setitem(sys.modules, "ichnograph.algorithms.clouds.thinning.thinning", None)

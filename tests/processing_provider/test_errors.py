@@ -55,7 +55,7 @@ def test_a_missing_cloud_is_named(refuse, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_a_raster_that_is_none_is_named(refuse, room, tmp_path):
+def test_a_file_that_is_not_a_raster_is_named(refuse, room, tmp_path):
     outputs = {"PLAN": str(tmp_path / "plan.tif"), "WALLS": str(tmp_path / "walls.shp")}
 
     assert room in refuse("extractwalls", INPUT=room, **outputs)
@@ -111,13 +111,13 @@ def test_no_output_is_written_if_one_of_them_fails(monkeypatch, refuse, room, tm
     from ichnograph.algorithms.errors import InputError
 
     def fail(path, *_, **__):
-        raise InputError(f"{path} cannot be written, for the disk is full.")
+        raise InputError(f"{path} cannot be written because the disk is full.")
 
     monkeypatch.setattr(layers, "write_walls", fail)
     walls = tmp_path / "walls.shp"
     sentence = refuse("siteplan", INPUT=room, DENSITY=str(tmp_path / "density.tif"), WALLS=str(walls))
 
-    assert sentence == f"{walls} cannot be written, for the disk is full."
+    assert sentence == f"{walls} cannot be written because the disk is full."
     assert not list(tmp_path.iterdir())
 
 

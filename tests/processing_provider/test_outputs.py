@@ -138,7 +138,7 @@ def test_siteplan_without_refine_gives_the_outlines_of_extractwalls(run, room, d
     }
 
 
-def test_siteplan_tells_progress_and_what_was_derived(run, room, tmp_path, feedback):
+def test_siteplan_reports_progress_and_derived_values(run, room, tmp_path, feedback):
     run("siteplan", feedback, INPUT=[room], WALLS=str(tmp_path / "walls.shp"))
 
     text = "\n".join(feedback.infos)
@@ -164,10 +164,10 @@ def test_temporary_outputs_are_files_too(run, room):
     assert_is_the_room(result["WALLS"], result["WALL_AREA"])
 
 
-def test_a_parameter_that_does_not_exist_is_told(run, room, tmp_path, feedback):
+def test_a_parameter_that_does_not_exist_is_reported(run, room, tmp_path, feedback):
     run("thincloud", feedback, INPUT=[room], SPACNIG=0.2, OUTPUT=str(tmp_path / "thin.laz"))
 
-    assert "SPACNIG is no parameter of thincloud, so it has no effect." in feedback.warnings
+    assert "thincloud has no parameter SPACNIG; it is ignored." in feedback.warnings
 
 
 def read(path):

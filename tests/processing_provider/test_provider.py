@@ -131,7 +131,7 @@ def test_every_parameter_has_help_and_every_number_a_unit(algorithm):
             assert re.search(r"\(.+\)$", item.description()), item.name()
 
 
-def test_help_is_plain_text_that_tells_all_parameters(algorithm):
+def test_help_is_plain_text_that_describes_all_parameters(algorithm):
     text = algorithm.shortHelpString()
 
     assert not set("<>&") & set(text)

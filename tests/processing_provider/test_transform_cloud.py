@@ -152,7 +152,7 @@ def test_two_clouds_of_one_name_are_refused(refuse, scans):
     [
         ({"TRANSFORMS": ""}, "TRANSFORMS"),
         ({"TRANSFORMS": "missing.json"}, "missing.json cannot be read"),
-        ({"OUTPUT_FOLDER": "/nowhere/at/all"}, "there is no folder /nowhere/at; create it first."),
+        ({"OUTPUT_FOLDER": "/nowhere/at/all"}, "the folder /nowhere/at does not exist; create it first."),
     ],
 )
 def test_what_cannot_be_used_is_named(refuse, parameters, part):

@@ -7,18 +7,18 @@ from pathlib import Path
 from typing import Any, Optional
 
 import numpy as np
-from rasterio.crs import CRS
 from scipy.spatial.transform import Rotation
 
-from ... import reference_systems
 from ...errors import InputError, MissingPackageError
 from ...geometry.motion import product
 from ...progress import Progress
+from ...reference_systems import parse_wkt
 from ..source import Chunk, Source, no_points, unreadable
+from . import E57_PACKAGES
 from .normals import find_normals
+from .stated_crs import read_crs
 from .value_ranges import to_uint16
 
-PACKAGES = ("pye57", "pyquaternion")
 SAMPLE = 10_000
 
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
@@ -96,7 +96,7 @@ class E57Source(Source):
         sample = next((points for points in blocks if len(points)), None)
         if sample is None:
             raise no_points(path)
-        crs, warnings = _read_crs(path, wkt)
+        crs, warnings = read_crs(path, lambda: parse_wkt(wkt) if wkt.strip() else None)
         return cls(
             path=path,
             crs=crs,
@@ -155,7 +155,7 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
     try:
         from pye57 import libe57
     except ModuleNotFoundError as error:
-        raise MissingPackageError(str(path), PACKAGES) from error
+        raise MissingPackageError(str(path), E57_PACKAGES) from error
     try:
         with path.open("rb") as stream:
             if stream.read(8) != b"ASTM-E57":
@@ -285,14 +285,3 @@ def _places(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:
             [level * np.cos(azimuth), level * np.sin(azimuth), distance * np.sin(elevation)], axis=1
         )
     return product(xyz, scan.rotation) + scan.shift
-
-
-def _read_crs(path: Path, wkt: str) -> tuple[Optional[CRS], tuple[str, ...]]:
-    if not wkt.strip():
-        return None, ()
-    try:
-        return reference_systems.parse_wkt(wkt), ()
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-    except ValueError:
-        return None, (f"The coordinate reference system in {path} cannot be understood.",)

@@ -4,6 +4,7 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import BinaryIO, Optional
 
@@ -12,10 +13,12 @@ import lazrs
 import numpy as np
 from rasterio.crs import CRS
 
-from ... import reference_systems
 from ...errors import InputError
 from ...progress import Progress
+from ...reference_systems import parse_wkt
 from ..source import Chunk, Source, no_points, unreadable
+from .geotiff_keys import parse_geotiff_keys
+from .stated_crs import read_crs
 
 SAMPLES = 8
 SAMPLE_SIZE = 1000
@@ -61,7 +64,7 @@ class LasSource(Source):
             header = reader.header
             _check_scales(path, header)
             sample = _sample(path, reader)
-            crs, warnings = _read_crs(path, header)
+            crs, warnings = read_crs(path, partial(_parse_crs, header))
         xyz = coordinates(sample, header.scales, header.offsets)
         rgb = _colour(sample)
         brightest = 0 if rgb is None else rgb.max()
@@ -270,21 +273,16 @@ def _colour(points: np.ndarray) -> Optional[np.ndarray]:
     return np.stack([points["red"], points["green"], points["blue"]], axis=1)
 
 
-def _read_crs(path: Path, header: laspy.LasHeader) -> tuple[Optional[CRS], tuple[str, ...]]:
+def _parse_crs(header: laspy.LasHeader) -> Optional[CRS]:
+    """Return the horizontal system in the records of `header`; ValueError if it cannot be understood."""
     records = {
         record.record_id: record.record_data_bytes()
         for record in [*(header.evlrs or []), *header.vlrs]
         if record.user_id == "LASF_Projection"
     }
-    try:
-        wkt = records.get(2112, b"").decode("utf-8").strip("\0 \n")
-        if wkt:
-            return reference_systems.parse_wkt(wkt), ()
-        if 34735 in records:
-            keys = [records.get(key, b"") for key in (34735, 34736, 34737)]
-            return reference_systems.parse_geotiff_keys(*keys), ()
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-    except ValueError:
-        return None, (f"The coordinate reference system in {path} cannot be understood.",)
-    return None, ()
+    wkt = records.get(2112, b"").decode("utf-8").strip("\0 \n")
+    if wkt:
+        return parse_wkt(wkt)
+    if 34735 in records:
+        return parse_geotiff_keys(*[records.get(key, b"") for key in (34735, 34736, 34737)])
+    return None

@@ -14,7 +14,8 @@ import pandas as pd
 from ...errors import InputError
 from ...progress import Progress
 from ..source import Chunk, Source, truncated, unreadable
-from .text_layout import Dialect, Layout, is_comment, is_count, sniff
+from .text_dialect import Dialect, is_comment, is_count
+from .text_layout import Layout, read_layout
 from .value_ranges import to_uint16
 
 
@@ -42,7 +43,7 @@ class TextSource(Source):
             If the file cannot be read, holds no points or can be read in more than one way.
         """
         try:
-            layout = sniff(path)
+            layout = read_layout(path)
         except OSError as error:
             raise unreadable(path, error) from error
         return cls(

@@ -10,14 +10,14 @@ from laspy.vlrs.vlrlist import VLRList
 from ...files import atomic_output
 from ...progress import Progress
 from ..cloud import Cloud, parts
-from .cloud_writing import (
+from .point_selection import (
     CHUNK_SIZE,
-    SEPARATORS,
     append_rows,
     check_target,
     common_scales,
     copied_header,
     have_one_point_format,
+    is_text,
     las_points,
     las_writer,
     replace_crs,
@@ -55,7 +55,7 @@ def write_labelled(
     target = Path(path)
     check_target(cloud, target)
     with atomic_output(target) as temporary:
-        if target.suffix.lower() in SEPARATORS:
+        if is_text(target):
             _write_text(cloud, name, values, temporary, progress)
         elif have_one_point_format(cloud):
             _write_records(cloud, name, values, temporary, progress)

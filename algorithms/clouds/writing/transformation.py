@@ -16,12 +16,14 @@ from ...errors import InputError
 from ...files import atomic_output
 from ...geometry.motion import Motion
 from ...progress import Progress
+from ...reference_systems import name_of, unsuitable_axes
 from ..formats.las import LasSource, coordinates
 from ..formats.normals import find_normals
 from ..formats.text import TextSource
-from ..formats.text_layout import Dialect, Layout
+from ..formats.text_dialect import Dialect
+from ..formats.text_layout import Layout
 from ..source import Source
-from .cloud_writing import (
+from .point_selection import (
     CHUNK_SIZE,
     COARSEST_SCALE,
     FINEST_SCALE,
@@ -70,6 +72,16 @@ def _transformed_name(source: Source) -> str:
     if isinstance(source, LasSource) and stem.lower().endswith(".copc"):
         return stem[: -len(".copc")] + ".laz"
     return source.path.name if isinstance(source, (LasSource, TextSource)) else f"{stem}.laz"
+
+
+def unit_warnings(sources: Sequence[Source]) -> tuple[str, ...]:
+    """Return a sentence for each cloud whose reference system is not in metres, as transformations are."""
+    return tuple(
+        f"The coordinates of {source.path} are {unsuitable_axes(source.crs)} ({name_of(source.crs)}), but "
+        "transformations are in metres; convert the cloud to metres first."
+        for source in sources
+        if source.crs and unsuitable_axes(source.crs)
+    )
 
 
 def transform_cloud(

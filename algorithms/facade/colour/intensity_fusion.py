@@ -1,4 +1,4 @@
-"""Fuse regions of one intensity: shadows split colour, but not what the laser sees."""
+"""Fusion of regions of one intensity: a shadow changes the colour of a surface, but not its intensity."""
 
 from typing import Optional
 
@@ -13,15 +13,15 @@ from .region_growing import NONE
 def fuse_by_intensity(labels: np.ndarray, relative: np.ndarray, threshold: float) -> np.ndarray:
     """Fuse regions whose mean intensities differ by less than f, wherever they lie.
 
-    From the largest to the smallest, each region joins the surface that is nearest in intensity,
-    so that surfaces cannot chain.
+    From the largest to the smallest, each region joins the surface that is nearest in intensity. A surface
+    therefore cannot grow step by step into a different intensity.
 
     Parameters
     ----------
     labels : ndarray of int32, shape (n,)
-        Regions from 1; `NONE` stays.
+        Regions from 1; `NONE` is left as it is.
     relative : ndarray of float32, shape (n,)
-        See `intensity.Relative`.
+        See `intensity_scale.Relative`.
     threshold : float
         f, in the same unit.
 
@@ -56,15 +56,15 @@ def fuse_by_soft_borders(
 ) -> np.ndarray:
     """Fuse neighbouring regions whose colours hardly differ at their common border.
 
-    That is all that can be done against gradients of brightness where there is no intensity; the
-    sharp edge of a shadow stays a border.
+    Without intensity this removes gradients of brightness only. The sharp edge of a shadow remains a
+    border.
 
     Parameters
     ----------
     mesh, linked
-        As in `growing.grow_regions`.
+        As in `region_growing.grow_regions`.
     labels : ndarray of int32, shape (n,)
-        Regions from 1; `NONE` stays.
+        Regions from 1; `NONE` is left as it is.
     rgb : ndarray of float32, shape (n, 3)
     colour : float
         tr, the largest difference across a border.
@@ -82,12 +82,12 @@ def fuse_by_soft_borders(
     soft = pairs[np.linalg.norm(means, axis=0) < colour]
     links = coo_matrix((np.ones(len(soft)), (soft // size, soft % size)), shape=(size, size))
     _, groups = connected_components(links, directed=False)
-    # Groups are numbered by their first region, and that of NONE stands alone.
+    # Groups are numbered by their first region; NONE is a group of its own.
     return groups[labels].astype(np.int32)
 
 
 def components(mesh: Mesh, linked: np.ndarray, labels: np.ndarray) -> np.ndarray:
-    """Return the number, from 0, of the connected piece of one label that each point is in."""
+    """Return the number, from 0, of the connected piece with one label that contains each point."""
     first, second = mesh.edges[linked].T
     same = labels[first] == labels[second]
     size = len(labels)
@@ -96,7 +96,7 @@ def components(mesh: Mesh, linked: np.ndarray, labels: np.ndarray) -> np.ndarray
 
 
 def largest_first(labels: np.ndarray, weights: Optional[np.ndarray] = None) -> np.ndarray:
-    """Renumber regions so that the largest is 1 and so on; `NONE` stays."""
+    """Return regions renumbered by falling size, from 1; `NONE` is left as it is."""
     counts = np.bincount(labels, weights).astype(float)
     counts[NONE] = np.inf
     order = np.argsort(-counts, kind="stable")

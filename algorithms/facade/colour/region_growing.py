@@ -5,24 +5,27 @@ from numba import njit
 
 from ...geometry.triangulation import Mesh
 from .appearance import Appearance
-from .seeds import FEWEST, Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
+from .seeds import Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
+from .settings import ColourSettings
 
 NONE = 0
-"""The label of points in no region."""
-
-FREE_SHARE = 0.5
-"""Of the points around a seed that must be in no region yet."""
+"""The label of points outside all regions."""
 
 
 def grow_regions(
-    mesh: Mesh, linked: np.ndarray, looks: Appearance, seeds: Seeds, variance: float, colour: float
+    mesh: Mesh,
+    linked: np.ndarray,
+    looks: Appearance,
+    seeds: Seeds,
+    variance: float,
+    colour: float,
+    settings: ColourSettings = ColourSettings(),
 ) -> np.ndarray:
-    """Grow a region from every seed that is left, over neighbours of a colour like its own.
+    """Return regions of similar colour, grown from the seeds over neighbouring points.
 
-    The points at the border of a region are compared with the mean of the whole region, which is
-    renewed as it grows, never with their neighbours: colour cannot chain through a gradient. Where there
-    is intensity, it must be like that of the region too: dark plaster in the sun is not light wood in the
-    shade.
+    A point is compared with the mean colour of the whole region, which is updated as the region grows.
+    It is not compared with its neighbours, so a region cannot creep along a gradient. Where there is
+    intensity, it must agree too: this separates dark plaster in the sun from light wood in the shade.
 
     Parameters
     ----------
@@ -38,6 +41,7 @@ def grow_regions(
         Vr, of the seed surface.
     colour : float
         tr2, the largest distance to the mean of the region (Simco2).
+    settings : ColourSettings
 
     Returns
     -------
@@ -47,10 +51,10 @@ def grow_regions(
     labels = np.zeros(len(looks.rgb), np.int32)
     if not len(seeds.rows):
         return labels
-    lattice = sort_into_cells(mesh.points, seeds.radii.max() / 4)
+    lattice = sort_into_cells(mesh.points, seeds.radii.max() / settings.seeds.cells_across)
     _grow_all(
-        mesh.points, looks.rgb, *looks.gated, *mesh.neighbours(linked),
-        seeds.rows, seeds.radii, variance, colour,
+        mesh.points, looks.rgb, *looks.gated(settings.intensity.gate), *mesh.neighbours(linked),
+        seeds.rows, seeds.radii, variance, colour, settings.seeds.fewest_points, settings.seeds.free_share,
         lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order, labels,
     )  # fmt: skip
     return labels
@@ -59,9 +63,10 @@ def grow_regions(
 def absorb(
     mesh: Mesh, linked: np.ndarray, rgb: np.ndarray, labels: np.ndarray, kept: np.ndarray
 ) -> np.ndarray:
-    """Give the points of small regions, and those of none, to the region beside them.
+    """Add the points of small regions, and those outside all regions, to the regions beside them.
 
-    Of several, to the one whose mean colour is nearest. What no region can reach stays `NONE`.
+    A point with several neighbouring regions joins the one with the nearest mean colour. Points that no
+    region can reach remain `NONE`.
 
     Parameters
     ----------
@@ -70,7 +75,7 @@ def absorb(
     rgb : ndarray of float32, shape (n, 3)
     labels : ndarray of int32, shape (n,)
     kept : ndarray of bool, shape (regions + 1,)
-        Which regions stay.
+        Which regions are kept.
     """
     kept = kept.copy()
     kept[NONE] = False
@@ -84,19 +89,19 @@ def absorb(
 
 @njit(cache=True, nogil=True)
 def _grow_all(
-    points, rgb, relative, reach, first, neighbours, seeds, radii, variance, colour,
+    points, rgb, relative, reach, first, neighbours, seeds, radii, variance, colour, fewest, free_share,
     corner, size, columns, rows, starts, order, labels,
 ):  # fmt: skip
     members, mean = np.empty(len(points), np.int64), np.empty(3)
     region = 0
-    for place in range(len(seeds)):
-        seed = seeds[place]
+    for index in range(len(seeds)):
+        seed = seeds[index]
         if labels[seed] != NONE:
             continue
         count, every = gather(
-            points, seed, radii[place], corner, size, columns, rows, starts, order, labels, members
+            points, seed, radii[index], corner, size, columns, rows, starts, order, labels, members
         )
-        if count < max(FEWEST, FREE_SHARE * every):
+        if count < max(fewest, free_share * every):
             continue
         if mean_and_variance(rgb, members, count, mean) >= variance:
             continue
@@ -109,24 +114,24 @@ def _grow_all(
 
 @njit(cache=True, nogil=True)
 def _grow(rgb, relative, reach, first, neighbours, colour, region, members, count, mean, labels):
-    """Grow one region wave by wave; the result of a wave does not depend on the order of the points."""
+    """Grow one region wave by wave; the order of the points does not affect the result of a wave."""
     start, total = 0, 0
     sums, intensities = np.zeros(3), 0.0
-    for place in range(count):
-        if labels[members[place]] == region:
-            members[total] = members[place]
+    for index in range(count):
+        if labels[members[index]] == region:
+            members[total] = members[index]
             total += 1
     while start < total:
         stop = total
-        for place in range(start, stop):
+        for index in range(start, stop):
             for channel in range(3):
-                sums[channel] += rgb[members[place], channel]
-            intensities += relative[members[place]]
+                sums[channel] += rgb[members[index], channel]
+            intensities += relative[members[index]]
         for channel in range(3):
             mean[channel] = sums[channel] / stop
         level = intensities / stop
-        for place in range(start, stop):
-            point = members[place]
+        for index in range(start, stop):
+            point = members[index]
             for link in range(first[point], first[point + 1]):
                 other = neighbours[link]
                 if labels[other] != NONE or abs(relative[other] - level) > reach:
@@ -140,21 +145,21 @@ def _grow(rgb, relative, reach, first, neighbours, colour, region, members, coun
 
 @njit(cache=True, nogil=True)
 def _spread(first, neighbours, rgb, means, labels):
-    """Label what has no label from its neighbours, wave by wave."""
+    """Label points without a label from their neighbours, wave by wave."""
     waiting = np.flatnonzero(labels == NONE)
     while len(waiting):
         found = np.zeros(len(waiting), np.int32)
-        for place in range(len(waiting)):
-            point = waiting[place]
+        for index in range(len(waiting)):
+            point = waiting[index]
             least = np.inf
             for link in range(first[point], first[point + 1]):
                 label = labels[neighbours[link]]
                 if label == NONE:
                     continue
                 distance = distance_in_colour(rgb, point, means[label])
-                if distance < least or (distance == least and label < found[place]):
+                if distance < least or (distance == least and label < found[index]):
                     least = distance
-                    found[place] = label
+                    found[index] = label
         labels[waiting] = found
         if not found.any():
             break

@@ -1,29 +1,16 @@
-"""Where a region of one colour can begin: seeds and their surfaces, ordered by how even they are."""
+"""Where a region of one colour can begin: seeds and their surfaces, the most uniform first."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
 
-CELLS_ACROSS = 4
-"""Cells of the grid of seeds across the seed radius."""
-
-HALVINGS = 3
-"""Radii that are tried from td down, each half of the one before: the surface adapts to small details."""
-
-FEWEST = 10
-"""Points of a surface; a variance of fewer says little."""
-
-PAPER_VARIANCE = 200.0
-"""Vr of the paper, for colours with less noise than that."""
-
-NOISE_FACTOR = 2.0
-"""The automatic Vr in units of the median variance of the seed surfaces."""
+from .settings import SeedSettings
 
 
 @dataclass(frozen=True)
 class Lattice:
-    """Points sorted into square cells, so that those near a place are found at once.
+    """Points sorted into square cells, so that the neighbours of a point are found quickly.
 
     Attributes
     ----------
@@ -34,7 +21,7 @@ class Lattice:
         Columns and rows.
     starts : ndarray of int64, shape (columns * rows + 1,)
     order : ndarray of int64, shape (n,)
-        The points of cell i stand from starts[i] to starts[i + 1].
+        The points of cell i are those from starts[i] to starts[i + 1].
     """
 
     corner: np.ndarray
@@ -45,7 +32,7 @@ class Lattice:
 
 
 def sort_into_cells(points: np.ndarray, size: float) -> Lattice:
-    """Sort points, shape (n, 2), into cells of `size` (m)."""
+    """Return points, shape (n, 2), sorted into cells of `size` (m)."""
     corner = points.min(axis=0)
     columns, rows = ((points - corner) // size).astype(np.int64).T
     shape = int(columns.max()) + 1, int(rows.max()) + 1
@@ -76,24 +63,26 @@ class Seeds:
     shifts: np.ndarray
     variances: np.ndarray
 
-    def automatic_variance(self) -> float:
-        """Return Vr: the paper's, or more where the noise of the colours is greater."""
+    def automatic_variance(self, settings: SeedSettings = SeedSettings()) -> float:
+        """Return Vr: the paper's, or twice the measured colour noise, if larger."""
         smallest = self.variances[self.radii == self.radii.min(initial=np.inf)]
         noise = float(np.median(smallest)) if len(smallest) else 0.0
-        return max(PAPER_VARIANCE, NOISE_FACTOR * noise)
+        return max(settings.variance, settings.noise_factor * noise)
 
     def accepted(self, colour: float, variance: float) -> "Seeds":
-        """Return those within the thresholds tr and Vr, the largest and most even surfaces first.
+        """Return the seeds within tr and Vr, those with the largest and most uniform surfaces first.
 
-        The paper takes seeds at random; in this order the result is the same in every run.
+        The paper takes seeds at random. In this order every run gives the same result.
         """
         chosen = np.flatnonzero((self.shifts < colour) & (self.variances < variance))
         order = chosen[np.lexsort((self.rows[chosen], self.variances[chosen], -self.radii[chosen]))]
         return Seeds(self.rows[order], self.radii[order], self.shifts[order], self.variances[order])
 
 
-def find_seeds(points: np.ndarray, rgb: np.ndarray, radius: float) -> Seeds:
-    """Return the candidates for seeds.
+def find_seeds(
+    points: np.ndarray, rgb: np.ndarray, radius: float, settings: SeedSettings = SeedSettings()
+) -> Seeds:
+    """Return the candidates for seeds, with all radii.
 
     Parameters
     ----------
@@ -102,28 +91,34 @@ def find_seeds(points: np.ndarray, rgb: np.ndarray, radius: float) -> Seeds:
         0..255.
     radius : float
         td, the largest radius of a seed surface (m).
+    settings : SeedSettings
     """
-    lattice = sort_into_cells(points, radius / CELLS_ACROSS)
+    lattice = sort_into_cells(points, radius / settings.cells_across)
     rows = _nearest_to_centres(
         points, lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order
     )
     rows = rows[rows >= 0]
-    radii = [radius / 2**halving for halving in range(HALVINGS)]
+    radii = [radius / 2**halving for halving in range(settings.halvings)]
     found = [
-        (rows, np.full(len(rows), reach), *_surfaces(points, rgb, rows, reach, lattice)) for reach in radii
+        (
+            rows,
+            np.full(len(rows), reach),
+            *_surfaces(points, rgb, rows, reach, lattice, settings.fewest_points),
+        )
+        for reach in radii
     ]
     return Seeds(*(np.concatenate(parts) for parts in zip(*found)))
 
 
 def _surfaces(
-    points: np.ndarray, rgb: np.ndarray, rows: np.ndarray, radius: float, lattice: Lattice
+    points: np.ndarray, rgb: np.ndarray, rows: np.ndarray, radius: float, lattice: Lattice, fewest: int
 ) -> tuple[np.ndarray, np.ndarray]:
     free = np.zeros(len(points), np.int32)
     shifts, variances = np.empty(len(rows)), np.empty(len(rows))
     _measure(
         points, rgb, rows, radius,
         lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order,
-        free, shifts, variances,
+        free, fewest, shifts, variances,
     )  # fmt: skip
     return shifts, variances
 
@@ -137,8 +132,8 @@ def _nearest_to_centres(points, corner, size, columns, rows, starts, order):
             x, y = corner[0] + (column + 0.5) * size, corner[1] + (row + 0.5) * size
             least = np.inf
             cell = row * columns + column
-            for place in range(starts[cell], starts[cell + 1]):
-                point = order[place]
+            for index in range(starts[cell], starts[cell + 1]):
+                point = order[index]
                 distance = (points[point, 0] - x) ** 2 + (points[point, 1] - y) ** 2
                 if distance < least:
                     least = distance
@@ -148,7 +143,7 @@ def _nearest_to_centres(points, corner, size, columns, rows, starts, order):
 
 @njit(cache=True, nogil=True)
 def gather(points, seed, radius, corner, size, columns, rows, starts, order, labels, members):
-    """Write the points around a seed that have no label yet to `members`; return how many, and of all."""
+    """Write the points around a seed without a label to `members`; return their number, and that of all."""
     count, every = 0, 0
     x, y = points[seed, 0], points[seed, 1]
     left = max(int((x - radius - corner[0]) // size), 0)
@@ -156,8 +151,8 @@ def gather(points, seed, radius, corner, size, columns, rows, starts, order, lab
     low = max(int((y - radius - corner[1]) // size), 0)
     high = min(int((y + radius - corner[1]) // size), rows - 1)
     for row in range(low, high + 1):
-        for place in range(starts[row * columns + left], starts[row * columns + right + 1]):
-            point = order[place]
+        for index in range(starts[row * columns + left], starts[row * columns + right + 1]):
+            point = order[index]
             if (points[point, 0] - x) ** 2 + (points[point, 1] - y) ** 2 <= radius * radius:
                 every += 1
                 if labels[point] == 0:
@@ -172,8 +167,8 @@ def mean_and_variance(rgb, members, count, mean):
     total = 0.0
     for channel in range(3):
         sum_, squares = 0.0, 0.0
-        for place in range(count):
-            value = float(rgb[members[place], channel])
+        for index in range(count):
+            value = float(rgb[members[index], channel])
             sum_ += value
             squares += value * value
         mean[channel] = sum_ / count
@@ -192,14 +187,14 @@ def distance_in_colour(rgb, point, mean):
 
 @njit(cache=True, nogil=True)
 def _measure(
-    points, rgb, seeds, radius, corner, size, columns, rows, starts, order, labels, shifts, variances
+    points, rgb, seeds, radius, corner, size, columns, rows, starts, order, labels, fewest, shifts, variances
 ):
     members, mean = np.empty(len(points), np.int64), np.empty(3)
-    for place in range(len(seeds)):
-        seed = seeds[place]
+    for index in range(len(seeds)):
+        seed = seeds[index]
         count, _ = gather(points, seed, radius, corner, size, columns, rows, starts, order, labels, members)
-        if count < FEWEST:
-            shifts[place], variances[place] = np.inf, np.inf
+        if count < fewest:
+            shifts[index], variances[index] = np.inf, np.inf
             continue
-        variances[place] = mean_and_variance(rgb, members, count, mean)
-        shifts[place] = distance_in_colour(rgb, seed, mean)
+        variances[index] = mean_and_variance(rgb, members, count, mean)
+        shifts[index] = distance_in_colour(rgb, seed, mean)

@@ -3,24 +3,21 @@
 from typing import Optional
 
 import numpy as np
-from shapely.geometry import MultiLineString, MultiPolygon, Point
+from shapely.geometry import MultiLineString, MultiPolygon, Point, Polygon
 from shapely.ops import polygonize
 from shapely.prepared import prep
 
 from ...geometry.triangulation import Mesh
-
-REACH = 1.8
-"""The automatic alpha in units of the spacing of the points: twice the least that closes a lattice,
-with room for noise and for rows denser than columns."""
+from .settings import OutlineSettings
 
 
-def alpha_of(mesh: Mesh) -> np.ndarray:
-    """Return an alpha for every triangle that suits the points around it, shape (m,) (m).
+def alpha_of(mesh: Mesh, settings: OutlineSettings = OutlineSettings()) -> np.ndarray:
+    """Return an alpha for every triangle, shape (m,) (m).
 
-    It follows the density of the points, so that a thinly scanned part has no holes, and a densely
-    scanned one keeps its own.
+    Alpha follows the density of the points: thinly scanned parts have no false holes, and densely scanned
+    parts keep fine ones.
     """
-    return REACH * np.max(mesh.spacings[mesh.triangles], axis=1, initial=0.0)
+    return settings.alpha_spacings * np.max(mesh.spacings[mesh.triangles], axis=1, initial=0.0)
 
 
 def alpha_shape(mesh: Mesh, alpha: Optional[float] = None) -> MultiPolygon:
@@ -48,8 +45,8 @@ def outline_of(mesh: Mesh, kept: np.ndarray) -> MultiPolygon:
     return MultiPolygon([face for face in faces if _holds_any(face, middles)])
 
 
-def _holds_any(face, middles: np.ndarray) -> bool:
-    """Tell whether a face, which is filled all over or not at all, holds a triangle."""
+def _holds_any(face: Polygon, middles: np.ndarray) -> bool:
+    """Whether a face contains a triangle; a face is filled by triangles entirely or not at all."""
     left, bottom, right, top = face.bounds
     inside = (middles > (left, bottom)).all(axis=1) & (middles < (right, top)).all(axis=1)
     holds = prep(face).contains

@@ -9,37 +9,32 @@ from shapely.geometry import MultiLineString, Polygon
 from shapely.ops import polygonize
 
 from ...geometry.triangulation import Mesh, triangulate
-
-LOCAL = 60
-"""Edges whose gaps are averaged."""
-
-ROUND = 0.1
-"""Radius around a place within which lost points are counted (m)."""
+from .settings import BorderSettings
 
 FRAME = 32
-"""Places around everything."""
+"""Corners of the polygon around all points, which makes a triangulation reach beyond every border."""
 
 
 @dataclass(frozen=True)
 class Lost:
-    """Points of the side in front that do not lie on it, for their laser spots are mixed.
+    """Points that the side in front lacks because their laser spots are mixed.
 
     Attributes
     ----------
-    places : ndarray of float64, shape (l, 2)
+    points : ndarray of float64, shape (l, 2)
     area : float
-        That each of them would stand for (m2).
+        That each of them would represent (m2).
     """
 
-    places: np.ndarray
+    points: np.ndarray
     area: float
 
-    def widths(self, asked: np.ndarray) -> np.ndarray:
-        """Return how wide a strip of the side they would cover at places, shape (k, 2)."""
-        if not len(self.places):
+    def widths(self, asked: np.ndarray, radius: float) -> np.ndarray:
+        """Return the width of the strip that they would cover near the points asked for, shape (k, 2)."""
+        if not len(self.points):
             return np.zeros(len(asked))
-        counts = cKDTree(self.places).query_ball_point(asked, ROUND, return_length=True)
-        return counts * self.area / (2 * ROUND)
+        counts = cKDTree(self.points).query_ball_point(asked, radius, return_length=True)
+        return counts * self.area / (2 * radius)
 
 
 NOTHING_LOST = Lost(np.empty((0, 2)), 0.0)
@@ -47,21 +42,21 @@ NOTHING_LOST = Lost(np.empty((0, 2)), 0.0)
 
 @dataclass(frozen=True)
 class Border:
-    """Where a border was seen.
+    """A border as the points show it.
 
     Attributes
     ----------
     ring : Polygon
         The closed border.
-    places : ndarray of float64, shape (k, 2)
-        Of its crossings of the edges between the two sides.
+    crossings : ndarray of float64, shape (k, 2)
+        Where it crosses the edges between points of the two sides.
     gaps : ndarray of float64, shape (k,)
-        Between which the border may lie at each of them (m); the outermost points of a surface end up to
-        one spacing before its edge.
+        Widths within which the border may lie at the crossings (m); the outermost points of a surface end
+        up to one spacing before its edge.
     """
 
     ring: Polygon
-    places: np.ndarray
+    crossings: np.ndarray
     gaps: np.ndarray
 
 
@@ -72,6 +67,7 @@ def trace_border(
     step: float,
     band: float,
     lost: Lost = NOTHING_LOST,
+    settings: BorderSettings = BorderSettings(),
 ) -> Border:
     """Trace the border between two sets of points in a plane.
 
@@ -82,25 +78,26 @@ def trace_border(
     Parameters
     ----------
     inside, outside : ndarray of float64, shape (n, 3), (m, 3)
-        u, v, w; w is minus infinity at places that stand in for points far behind.
+        u, v, w; w is minus infinity at positions that stand in for points far behind.
     filler : ndarray of float64, shape (f, 2)
-        Places within the detail that stand in for points far behind, where none came back.
+        Positions within the detail that stand in for points far behind, where no pulse came back.
     step : float
-        What differs by less in w is side by side (m).
+        Points that differ by less in w are side by side (m).
     band : float
-        Points further from the other side than this, and than its double, do not matter (m).
+        Points further from the other side than about twice this do not matter (m).
     lost : Lost
         Points that the side in front lacks at its edge.
+    settings : BorderSettings
 
     Returns
     -------
     Border
-        With an empty ring if there is none.
+        Its ring is empty if the two sides do not meet.
     """
     inside, outside = _beside(inside, outside, filler, band)
     frame = _surrounding(np.concatenate([inside[:, :2], outside[:, :2], filler]))
     points = np.concatenate([outside[:, :2], frame, inside[:, :2], filler])
-    behind = [np.full(len(places), -np.inf) for places in (frame, filler)]
+    behind = [np.full(len(added), -np.inf) for added in (frame, filler)]
     w = np.concatenate([outside[:, 2], behind[0], inside[:, 2], behind[1]])
     within = np.arange(len(points)) >= len(outside) + len(frame)
     mesh = triangulate(points)
@@ -114,7 +111,7 @@ def trace_border(
     mixed[mixed], outer, inner = known, outer[known], inner[known]
     if not len(outer):
         return Border(Polygon(), np.empty((0, 2)), np.empty(0))
-    shares, gaps = _shares(mesh, within, w, (outer, inner), step, lost)
+    shares, gaps = _shares(mesh, within, w, (outer, inner), step, lost, settings)
     crossings = np.full((len(mesh.edges), 2), np.nan)
     crossings[mixed] = points[outer] + shares[:, None] * (points[inner] - points[outer])
     return Border(_ring(mesh, mixed, crossings), crossings[mixed], gaps)
@@ -139,39 +136,47 @@ def _beside(
 
 
 def _surrounding(points: np.ndarray) -> np.ndarray:
-    """Return places all around the points, so that every detail has something outside."""
+    """Return positions all around the points, so that every detail has something outside."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    turns = np.linspace(0, 2 * np.pi, FRAME, endpoint=False)
-    return middle + (2 * half + half.max()) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    angles = np.linspace(0, 2 * np.pi, FRAME, endpoint=False)
+    return middle + (2 * half + half.max()) * np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
 def _shares(
-    mesh: Mesh, within: np.ndarray, w: np.ndarray, ends: tuple, step: float, lost: Lost
+    mesh: Mesh,
+    within: np.ndarray,
+    w: np.ndarray,
+    ends: tuple[np.ndarray, np.ndarray],
+    step: float,
+    lost: Lost,
+    settings: BorderSettings,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return where on its way from outer to inner point each edge crosses the border, and the gaps."""
+    """Return at which share of its length from outer to inner point each edge crosses, and the gaps."""
     points, (outer, inner) = mesh.points, ends
-    # Not the difference, which is not a number where both are infinitely far.
+    # Compared without subtraction: the difference of two infinities is not a number.
     behind, before = w[inner] < w[outer] - step, w[inner] > w[outer] + step
     shares, gaps = np.full(len(outer), 0.5), np.empty(len(outer))
     for front, near, far, side in ((~before, outer, inner, ~within), (before, inner, outer, within)):
         if not front.any():
             continue
-        widths, steps = _widths(points, np.flatnonzero(side & np.isfinite(w)), near, far)
+        widths, steps = _widths(
+            points, np.flatnonzero(side & np.isfinite(w)), near, far, settings.local_edges
+        )
         hidden = front & (behind | before)
-        own = np.minimum((0.5 * steps + lost.widths(points[near])) / widths, 0.5)
+        own = np.minimum((0.5 * steps + lost.widths(points[near], settings.lost_radius_m)) / widths, 0.5)
         shares[hidden] = (own if near is outer else 1 - own)[hidden]
         gaps[front] = np.where(hidden, steps, widths)[front]
     return shares, gaps
 
 
 def _widths(
-    points: np.ndarray, side: np.ndarray, near: np.ndarray, far: np.ndarray
+    points: np.ndarray, side: np.ndarray, near: np.ndarray, far: np.ndarray, local: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the width of the gap at each edge, and the spacing across the border of the side it ends at.
+    """Return the width of the gap at each edge, and the spacing across the border of its near side.
 
-    Taking the outermost layer off tells how far a layer is from the next, in the lattice of one scan
-    as well as in the random order of several.
+    Without its outermost layer a side is further away: by the distance of one layer to the next, in the
+    lattice of one scan as well as in the random order of several.
 
     Parameters
     ----------
@@ -180,6 +185,8 @@ def _widths(
         The points of the side.
     near, far : ndarray of int, shape (k,)
         The ends of the edges, on the side and beyond the gap.
+    local : int
+        Edges over which the spacing is averaged.
     """
     widths, _ = cKDTree(points[side]).query(points[far])
     widths = np.maximum(widths, 1e-12)
@@ -187,7 +194,7 @@ def _widths(
     if not len(rest):
         return widths, widths.copy()
     further, _ = cKDTree(points[rest]).query(points[far])
-    _, around = cKDTree(points[far]).query(points[far], k=min(LOCAL, len(far)))
+    _, around = cKDTree(points[far]).query(points[far], k=min(local, len(far)))
     return widths, np.mean((further - widths)[around.reshape(len(far), -1)], axis=1)
 
 

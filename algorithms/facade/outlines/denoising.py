@@ -1,19 +1,16 @@
-"""Take noise off a region: points among large triangles of its Delaunay triangulation."""
+"""Removal of noise from a region: points among large triangles of its Delaunay triangulation."""
 
 import numpy as np
 
 from ...geometry.triangulation import Mesh, triangulate
 
-RINGS = 3
-"""Rings of neighbours around removed points that are triangulated anew."""
 
+def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int, rings: int = 3) -> np.ndarray:
+    """Return which points of a region are kept.
 
-def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int) -> np.ndarray:
-    """Tell which points of a region are no noise.
-
-    Noise is a point that belongs to more than `count` (eta) triangles that are larger than `factor`
-    times the mean (delta). Each round triangulates what the one before left, where it removed
-    something, and they end when nothing is removed.
+    A point is noise if it belongs to more than `count` (eta) triangles that are larger than `factor` times
+    the mean (delta). Each round triangulates the points that remain around those removed before. The
+    rounds end when nothing is removed.
 
     Parameters
     ----------
@@ -25,6 +22,8 @@ def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int) -> np.ndarr
         eta; 5 in the paper.
     rounds : int
         At most; about 10 in the paper.
+    rings : int
+        Rings of neighbours around removed points that are triangulated again.
 
     Returns
     -------
@@ -41,17 +40,17 @@ def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int) -> np.ndarr
         if not len(removed):
             break
         kept[removed] = False
-        near = _rings(mesh, np.isin(around, removed, assume_unique=True))
+        near = _rings(mesh, np.isin(around, removed, assume_unique=True), rings)
         left = kept[around]
         judged, around = around[near[0] & left], around[near[1] & left]
         mesh = triangulate(points[around])
     return kept
 
 
-def _rings(mesh: Mesh, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return which points are neighbours of the chosen ones, and which are near enough to matter."""
+def _rings(mesh: Mesh, chosen: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return which points are neighbours of the chosen ones, and which are within `count` rings."""
     rings = [chosen]
-    for _ in range(RINGS):
+    for _ in range(count):
         touched = rings[-1][mesh.triangles].any(axis=1)
         wider = rings[-1].copy()
         wider[mesh.triangles[touched].ravel()] = True

@@ -1,42 +1,23 @@
-"""Turn the border of a detail into a rectangle or an arch, where it is one."""
+"""Regular outlines: the border of a detail as a rectangle or an arch, where it has that shape."""
 
 from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from scipy.optimize import least_squares
 from shapely.geometry import Polygon
 
+from ...geometry.circles import fit_circle_on_axis
+from ...geometry.robust import sigma_about_median, sigma_of_residuals, tukey_weights
 from ..elevation import ARCH, FREE, RECTANGLE, Edges
 from .border import Border
+from .settings import OutlineSettings, ShapeSettings
 
 ROUNDS = 8
 CUT = 4.685
 """Of Tukey's biweight, in standard deviations."""
 
-CORNER = 2.0
-"""Places nearer to a corner than this many gaps belong to no side; there the border is rounded."""
-
-TOLERANCE = 1.8
-"""A shape holds if the rms of the places against it is at most this many times what is expected."""
-
-FLOOR = 0.002
-"""What is never measured better, whatever the gap: the noise of the points (m)."""
-
-OUTLIERS = 0.15
-"""Largest share of places that may lie off a shape, where something hides its border."""
-
-FAR = 4.0
-"""Expected deviations beyond which a place lies off."""
-
 ARC_POINTS = 49
-"""Corners of the polygon that stands for an arch."""
-
-SCATTERED = 1.5
-"""Scatter along an edge is estimated from few places; so much of it counts, lest chance look like a rest."""
-
-GAIN = 0.8
-"""An arch is taken for a rectangle unless it lowers the rms to this share."""
+"""Corners of the polygon that represents an arch."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +30,7 @@ class Outline:
     polygon : Polygon
     edges : Edges
     rms : float
-        Of the places of the border against the outline (m).
+        Of the crossings of the border against the outline (m).
     """
 
     shape: str
@@ -71,16 +52,16 @@ class _Sides:
 
     @property
     def springing(self) -> float:
-        """Where the upright sides end."""
-        if self.radius is None:
+        """The height at which the upright sides end."""
+        if self.radius is None or self.centre is None:
             return self.top
         half = 0.5 * (self.right - self.left)
         return self.centre + np.sqrt(max(self.radius**2 - half**2, 0.0))
 
-    def distances(self, places: np.ndarray) -> np.ndarray:
-        """Return the distances of places to the four sides, shape (k, 4), positive outwards."""
-        u, v = places.T
-        if self.radius is None:
+    def distances(self, points: np.ndarray) -> np.ndarray:
+        """Return the distances of points to the four sides, shape (k, 4), positive outwards."""
+        u, v = points.T
+        if self.radius is None or self.centre is None:
             top = v - self.top
         else:
             top = np.hypot(u - 0.5 * (self.left + self.right), v - self.centre) - self.radius
@@ -89,53 +70,59 @@ class _Sides:
     def polygon(self) -> Polygon:
         """Return the outline."""
         foot = [(self.left, self.bottom), (self.right, self.bottom)]
-        if self.radius is None:
+        if self.radius is None or self.centre is None:
             return Polygon([*foot, (self.right, self.top), (self.left, self.top)])
         middle, half = 0.5 * (self.left + self.right), 0.5 * (self.right - self.left)
         rise = np.arctan2(self.springing - self.centre, half)
-        turns = np.linspace(rise, np.pi - rise, ARC_POINTS)
+        angles = np.linspace(rise, np.pi - rise, ARC_POINTS)
         arc = np.stack(
-            [middle + self.radius * np.cos(turns), self.centre + self.radius * np.sin(turns)], axis=1
+            [middle + self.radius * np.cos(angles), self.centre + self.radius * np.sin(angles)], axis=1
         )
         return Polygon([*foot, *arc])
 
 
-def make_outline(border: Border, regularise: bool) -> Outline:
-    """Return the outline of a detail: regular if asked for and if the border allows, else as it was seen.
+def make_outline(border: Border, regularise: bool, settings: OutlineSettings = OutlineSettings()) -> Outline:
+    """Return the outline of a detail: regular if wanted and if the border allows, else as it was seen.
 
     Parameters
     ----------
     border : Border
     regularise : bool
+    settings : OutlineSettings
     """
+    shapes = settings.shapes
     if regularise:
-        expected = np.hypot(border.gaps / np.sqrt(12), FLOOR)
-        found = [(shape, sides) for shape, sides in _candidates(border) if _holds(sides, border, expected)]
+        expected = np.hypot(border.gaps / np.sqrt(12), settings.noise_m)
+        found = [
+            (shape, sides)
+            for shape, sides in _candidates(border, settings)
+            if _holds(sides, border, expected, shapes)
+        ]
         if found:
-            rms = [_rms(sides, border, expected) for _, sides in found]
-            best = 1 if len(found) > 1 and rms[1] < GAIN * rms[0] else 0
+            rms = [_rms(sides, border, expected, shapes) for _, sides in found]
+            best = 1 if len(found) > 1 and rms[1] < shapes.gain * rms[0] else 0
             shape, sides = found[best]
-            return Outline(shape, sides.polygon(), _side_deviations(sides, border), rms[best])
-    return _free(border)
+            return Outline(shape, sides.polygon(), _side_deviations(sides, border, settings), rms[best])
+    return _free(border, settings)
 
 
-def _candidates(border: Border) -> list[tuple[str, _Sides]]:
-    rectangle = _fit_rectangle(border)
-    arch = _fit_arch(border, rectangle)
+def _candidates(border: Border, settings: OutlineSettings) -> list[tuple[str, _Sides]]:
+    rectangle = _fit_rectangle(border, settings.shapes)
+    arch = _fit_arch(border, rectangle, settings)
     return [(RECTANGLE, rectangle)] + ([(ARCH, arch)] if arch else [])
 
 
-def _fit_rectangle(border: Border) -> _Sides:
+def _fit_rectangle(border: Border, settings: ShapeSettings) -> _Sides:
     sides = _Sides(*border.ring.bounds)
     for _ in range(ROUNDS):
-        sides = _moved(sides, border)
+        sides = _moved(sides, border, settings)
     return sides
 
 
-def _moved(sides: _Sides, border: Border) -> _Sides:
-    """Return the sides, each where the places near it are."""
-    nearest, _ = _assign(sides, border)
-    u, v = border.places.T
+def _moved(sides: _Sides, border: Border, settings: ShapeSettings) -> _Sides:
+    """Return the sides, each moved to the crossings near it."""
+    nearest, _ = _assign(sides, border, settings)
+    u, v = border.crossings.T
     old = (sides.left, sides.bottom, sides.right, sides.top)
     new = [
         _location(values[nearest == side], position)
@@ -146,18 +133,18 @@ def _moved(sides: _Sides, border: Border) -> _Sides:
     return _Sides(*new[:3], sides.top, sides.centre, sides.radius)
 
 
-def _assign(sides: _Sides, border: Border) -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of the nearest side of each place, -1 at corners, and its distance to it."""
-    distances = sides.distances(border.places)
+def _assign(sides: _Sides, border: Border, settings: ShapeSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Return the number of the side nearest to each crossing, -1 at corners, and the distance to it."""
+    distances = sides.distances(border.crossings)
     if sides.radius is not None:
-        below = border.places[:, 1] < sides.springing
+        below = border.crossings[:, 1] < sides.springing
         distances[below, 3] = np.inf
         distances[~below, 0] = distances[~below, 2] = np.inf
     magnitudes = np.abs(distances)
     nearest = np.argmin(magnitudes, axis=1)
     own = np.take_along_axis(distances, nearest[:, None], axis=1)[:, 0]
     second = np.partition(magnitudes, 1, axis=1)[:, 1]
-    return np.where(second < CORNER * border.gaps, -1, nearest), own
+    return np.where(second < settings.corner_gaps * border.gaps, -1, nearest), own
 
 
 def _location(values: np.ndarray, fallback: float) -> float:
@@ -166,14 +153,15 @@ def _location(values: np.ndarray, fallback: float) -> float:
         return fallback
     middle = float(np.median(values))
     for _ in range(ROUNDS):
-        scale = max(1.4826 * float(np.median(np.abs(values - middle))), 1e-4)
-        weights = np.clip(1 - ((values - middle) / (CUT * scale)) ** 2, 0, None) ** 2
+        scale = max(sigma_of_residuals(values - middle), 1e-4)
+        weights = tukey_weights(values - middle, scale, CUT)
         middle = float(np.average(values, weights=weights))
     return middle
 
 
-def _fit_arch(border: Border, rectangle: _Sides) -> Optional[_Sides]:
+def _fit_arch(border: Border, rectangle: _Sides, settings: OutlineSettings) -> Optional[_Sides]:
     """Return upright sides under a semicircle or a flatter arc; None if no arc fits into the border."""
+    corner = settings.shapes.corner_gaps * np.median(border.gaps)
     half = 0.5 * (rectangle.right - rectangle.left)
     middle = 0.5 * (rectangle.left + rectangle.right)
     height = rectangle.top - rectangle.bottom
@@ -182,14 +170,14 @@ def _fit_arch(border: Border, rectangle: _Sides) -> Optional[_Sides]:
     top = border.ring.bounds[3]
     sides = _Sides(rectangle.left, rectangle.bottom, rectangle.right, top, top - half, half)
     for _ in range(ROUNDS):
-        sides = _moved(sides, border)
+        sides = _moved(sides, border, settings.shapes)
         half, middle = 0.5 * (sides.right - sides.left), 0.5 * (sides.left + sides.right)
-        upper = border.places[border.places[:, 1] > sides.springing + CORNER * np.median(border.gaps)]
+        upper = border.crossings[border.crossings[:, 1] > sides.springing + corner]
         if len(upper) < 3:
             return None
         crown = _location(upper[np.abs(upper[:, 0] - middle) < 0.1 * half, 1], top)
         start = np.array([sides.centre, max(sides.radius, half)])
-        centre, radius = _fit_arc(upper, middle, start)
+        centre, radius = fit_circle_on_axis(upper, middle, start, settings.noise_m)
         if radius < half:
             # The upright sides end where the semicircle of their own width does.
             centre, radius = crown - half, half
@@ -197,76 +185,68 @@ def _fit_arch(border: Border, rectangle: _Sides) -> Optional[_Sides]:
     return sides if sides.springing > sides.bottom else None
 
 
-def _fit_arc(places: np.ndarray, middle: float, start: np.ndarray) -> tuple[float, float]:
-    """Return the height of the centre and the radius of a circle about u = `middle`, robustly."""
-
-    def residuals(circle: np.ndarray) -> np.ndarray:
-        return np.hypot(places[:, 0] - middle, places[:, 1] - circle[0]) - circle[1]
-
-    centre, radius = least_squares(residuals, start, loss="soft_l1", f_scale=FLOOR).x
-    return float(centre), float(radius)
-
-
-def _holds(sides: _Sides, border: Border, expected: np.ndarray) -> bool:
-    nearest, own = _assign(sides, border)
+def _holds(sides: _Sides, border: Border, expected: np.ndarray, settings: ShapeSettings) -> bool:
+    """Whether the crossings agree with a shape, as far as their expected deviations allow."""
+    nearest, own = _assign(sides, border, settings)
     deviations = np.abs(own) / expected
     if not {0, 1, 2, 3} <= set(nearest.tolist()) and len(deviations) < 4:
         return False
-    off = deviations > FAR
+    off = deviations > settings.outlying
     within = deviations[~off]
-    return bool(np.mean(off) <= OUTLIERS and len(within) and np.sqrt(np.mean(within**2)) <= TOLERANCE)
+    agrees = len(within) and np.sqrt(np.mean(within**2)) <= settings.tolerance
+    return bool(np.mean(off) <= settings.outliers and agrees)
 
 
-def _rms(sides: _Sides, border: Border, expected: np.ndarray) -> float:
-    _, own = _assign(sides, border)
-    near = np.abs(own) <= FAR * expected
+def _rms(sides: _Sides, border: Border, expected: np.ndarray, settings: ShapeSettings) -> float:
+    _, own = _assign(sides, border, settings)
+    near = np.abs(own) <= settings.outlying * expected
     return float(np.sqrt(np.mean(own[near] ** 2))) if near.any() else float(np.sqrt(np.mean(own**2)))
 
 
-def _side_deviations(sides: _Sides, border: Border) -> Edges:
-    nearest, own = _assign(sides, border)
+def _side_deviations(sides: _Sides, border: Border, settings: OutlineSettings) -> Edges:
+    nearest, own = _assign(sides, border, settings.shapes)
     left, bottom, right, top = (
-        edge_deviation(own[nearest == side], border.places[nearest == side], border.gaps[nearest == side])
-        for side in range(4)
+        edge_deviation(own[near], border.crossings[near], border.gaps[near], settings)
+        for near in (nearest == side for side in range(4))
     )
     return Edges(left, right, bottom, top)
 
 
-def edge_deviation(residuals: np.ndarray, places: np.ndarray, gaps: np.ndarray) -> float:
-    """Return the standard deviation of where an edge lies (m); nan if nothing was seen of it.
+def edge_deviation(
+    residuals: np.ndarray,
+    crossings: np.ndarray,
+    gaps: np.ndarray,
+    settings: OutlineSettings = OutlineSettings(),
+) -> float:
+    """Return the standard deviation of the position of an edge (m); nan if nothing was seen of it.
 
-    The border lies anywhere within the gap. What of that shows as scatter along the edge averages out; the
-    rest, as where a line of the scan runs along the edge, does not.
+    The border lies anywhere within the gap. The part of this that appears as scatter along the edge
+    averages out. The rest does not, for example where a line of the scan runs along the edge.
 
     Parameters
     ----------
     residuals, gaps : ndarray of float64, shape (k,)
-    places : ndarray of float64, shape (k, 2)
+    crossings : ndarray of float64, shape (k, 2)
+    settings : OutlineSettings
     """
     if len(residuals) < 2:
         return float("nan")
     gap = float(np.median(gaps))
-    scatter = (1.4826 * float(np.median(np.abs(residuals - np.median(residuals))))) ** 2
-    unseen = max(gap**2 / 12 - SCATTERED * scatter, 0.0)
-    length = float(np.hypot(*np.ptp(places, axis=0)))
+    scatter = float(sigma_about_median(residuals)) ** 2
+    unseen = max(gap**2 / 12 - settings.shapes.scattered * scatter, 0.0)
+    length = float(np.hypot(*np.ptp(crossings, axis=0)))
     independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)
-    return float(np.sqrt(unseen + (scatter + FLOOR**2) / independent))
+    return float(np.sqrt(unseen + (scatter + settings.noise_m**2) / independent))
 
 
-def _free(border: Border) -> Outline:
+def _free(border: Border, settings: OutlineSettings) -> Outline:
     """Return the outline as it was seen, without the scatter of single points."""
     polygon = border.ring.simplify(0.5 * float(np.median(border.gaps)))
     left, bottom, right, top = border.ring.bounds
-    u, v = border.places.T
-    reach = CORNER * float(np.median(border.gaps))
-    sides = (
-        (u - left, border.places),
-        (v - bottom, border.places),
-        (right - u, border.places),
-        (top - v, border.places),
-    )
-    found = [
-        edge_deviation(away[away < reach], places[away < reach], border.gaps[away < reach])
-        for away, places in sides
-    ]
+    u, v = border.crossings.T
+    reach = settings.shapes.corner_gaps * float(np.median(border.gaps))
+    found = []
+    for away in (u - left, v - bottom, right - u, top - v):
+        near = away < reach
+        found.append(edge_deviation(away[near], border.crossings[near], border.gaps[near], settings))
     return Outline(FREE, polygon, Edges(found[0], found[2], found[1], found[3]), 0.0)

@@ -46,7 +46,7 @@ def load_ezdxf() -> Any:
 def write_drawing(path: Path, elevation: Elevation) -> None:
     """Write outlines, raw outlines and numbers true to scale in u, v.
 
-    The user coordinate system FACADE holds the place of the drawing in the site.
+    The user coordinate system FACADE holds the position of the drawing in the site.
 
     Raises
     ------
@@ -73,8 +73,8 @@ def _draw(ezdxf: Any, elevation: Elevation) -> Any:
     model = document.modelspace()
     for part in elevation.wall.geoms:
         _add(model, part, "WALL")
-    for place in elevation.unseen:
-        _add(model, place, "UNSEEN")
+    for area in elevation.unseen:
+        _add(model, area, "UNSEEN")
     for detail in elevation.details:
         _add(model, detail.outline, detail.kind.upper().replace(" ", "_"))
         _add(model, detail.raw, "RAW")
@@ -92,14 +92,14 @@ def _add(model: Any, polygon: Any, layer: str) -> None:
 
 def _add_frame(document: Any, frame: Frame) -> None:
     right, up, _ = frame.axes
-    places = {"origin": frame.origin, "xaxis": right, "yaxis": up}
-    attributes = {name: tuple(float(value) for value in place) for name, place in places.items()}
+    vectors = {"origin": frame.origin, "xaxis": right, "yaxis": up}
+    attributes = {name: tuple(float(value) for value in vector) for name, vector in vectors.items()}
     document.ucs.new("FACADE", dxfattribs=attributes)
 
 
 @contextmanager
 def _without_dates(ezdxf: Any) -> Iterator[None]:
-    """Let the same elevation give the same file: no dates and random numbers in it."""
+    """Write no dates and random numbers, so that the same elevation gives the same file."""
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:

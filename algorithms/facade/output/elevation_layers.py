@@ -3,23 +3,25 @@
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional, Union
 
 import numpy as np
 from rasterio.crs import CRS
-from shapely.geometry import MultiPolygon, Polygon
+from shapely.geometry import LinearRing, MultiPolygon, Polygon
 
 from ...vector import write_vector
 from ..elevation import Detail, Elevation, Frame
+
+Shape = Union[Polygon, MultiPolygon]
 
 WALL, UNSEEN = "wall", "unseen"
 """Kinds of features besides those of the details."""
 
 ELEVATION_CRS = CRS.from_wkt('LOCAL_CS["Facade elevation",UNIT["metre",1],AXIS["u",EAST],AXIS["v",NORTH]]')
-"""u to the right, v up, in metres; nowhere on earth."""
+"""u to the right, v up, in metres; it has no position on the earth."""
 
 FRAME_FIELDS = dict.fromkeys(("x0", "y0", "z0", "azimuth", "tilt"), "float:24.15")
-"""What brings u, v back to the site, in every feature."""
+"""The frame, in every feature: it converts u, v to coordinates of the site."""
 
 FIELDS = {
     "id": "int",
@@ -48,13 +50,13 @@ FIELDS = {
 
 
 def write_elevation(path: Path, elevation: Elevation) -> None:
-    """Write wall, details and unseen places as polygons in u, v."""
+    """Write wall, details and unseen areas as polygons in u, v."""
     features = [(_multi(shape), values) for shape, values in _features(elevation)]
     write_vector(path, "MultiPolygon", FIELDS, features, ELEVATION_CRS)
 
 
 def write_details(path: Path, elevation: Elevation, crs: Optional[CRS]) -> None:
-    """Write the same polygons in space, on the plane of the wall, with the areas that they have there."""
+    """Write the same polygons in space, in the plane of the wall, with their areas in that plane."""
     features = [(in_space(_multi(shape), elevation.frame), values) for shape, values in _features(elevation)]
     write_vector(path, "3D MultiPolygon", FIELDS, features, crs)
 
@@ -69,7 +71,7 @@ def in_space(shape: MultiPolygon, frame: Frame) -> MultiPolygon:
     )
 
 
-def frame_values(frame: Frame) -> dict:
+def frame_values(frame: Frame) -> dict[str, float]:
     """Return the frame by the names of its fields."""
     x, y, z = (float(value) for value in frame.origin)
     return {"x0": x, "y0": y, "z0": z, "azimuth": frame.azimuth, "tilt": frame.tilt}
@@ -80,26 +82,26 @@ def known(value: Optional[float]) -> Optional[float]:
     return None if value is None or math.isnan(value) else value
 
 
-def _features(elevation: Elevation) -> Iterator:
-    """Yield shapes and values: the wall, then what lies on it."""
+def _features(elevation: Elevation) -> Iterator[tuple[Shape, dict[str, Any]]]:
+    """Yield shapes and values: the wall, unseen areas, details."""
     frame = frame_values(elevation.frame)
-    nothing = dict.fromkeys(FIELDS)
+    nothing: dict[str, Any] = dict.fromkeys(FIELDS)
     if not elevation.wall.is_empty:
         yield elevation.wall, {**nothing, **_size(elevation.wall, WALL), **frame}
-    for place in elevation.unseen:
-        yield place, {**nothing, **_size(place, UNSEEN), **frame}
+    for area in elevation.unseen:
+        yield area, {**nothing, **_size(area, UNSEEN), **frame}
     for detail in elevation.details:
         yield detail.outline, {**nothing, **_values(detail), **frame}
 
 
-def _size(shape, kind: str) -> dict:
+def _size(shape: Shape, kind: str) -> dict[str, Any]:
     left, bottom, right, top = shape.bounds
     return {"kind": kind, "width": right - left, "height": top - bottom, "sill": bottom, "area": shape.area}
 
 
-def _values(detail: Detail) -> dict:
+def _values(detail: Detail) -> dict[str, Any]:
     edges = detail.edges
-    red, green, blue = detail.colour or (None, None, None)
+    red, green, blue = (None, None, None) if detail.colour is None else map(round, detail.colour)
     return {
         **_size(detail.outline, detail.kind),
         "id": detail.number,
@@ -113,17 +115,17 @@ def _values(detail: Detail) -> dict:
         "depth": known(detail.depth),
         "rms": known(detail.rms),
         "points": detail.points,
-        "red": red if red is None else round(red),
-        "green": green if green is None else round(green),
-        "blue": blue if blue is None else round(blue),
+        "red": red,
+        "green": green,
+        "blue": blue,
         "intensity": detail.intensity,
     }
 
 
-def _multi(shape) -> MultiPolygon:
+def _multi(shape: Shape) -> MultiPolygon:
     return shape if isinstance(shape, MultiPolygon) else MultiPolygon([shape])
 
 
-def _lifted(ring, frame: Frame) -> np.ndarray:
+def _lifted(ring: LinearRing, frame: Frame) -> np.ndarray:
     uv = np.array(ring.coords)[:, :2]
     return frame.world(np.column_stack([uv, np.zeros(len(uv))]))

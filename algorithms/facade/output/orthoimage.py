@@ -1,4 +1,4 @@
-"""The orthoimage of a facade: its colours, seen from straight before the wall."""
+"""The orthoimage of a facade: its colours, projected at right angles onto its plane."""
 
 import math
 from pathlib import Path
@@ -11,13 +11,10 @@ from scipy.ndimage import distance_transform_edt
 from ...raster import write_raster
 from ..elevation import Elevation, Points
 from .elevation_layers import ELEVATION_CRS, frame_values
-
-LAYER = 0.05
-"""A pixel has the mean of its points that are no further behind the foremost than this (m)."""
+from .settings import OrthoimageSettings
 
 STEPS = (1.0, 2.0, 5.0, 10.0)
-DARKEST, BRIGHTEST = 1, 99
-"""Percentiles of the intensity that become black and white."""
+"""Pixel sizes are these times a power of ten."""
 
 
 def automatic_pixel_size(spacing: float) -> float:
@@ -26,7 +23,14 @@ def automatic_pixel_size(spacing: float) -> float:
     return next(step * power for step in STEPS if step * power >= spacing * (1 - 1e-9))
 
 
-def write_orthoimage(path: Path, points: Points, elevation: Elevation, pixel_size: float, fill: bool) -> None:
+def write_orthoimage(
+    path: Path,
+    points: Points,
+    elevation: Elevation,
+    pixel_size: float,
+    fill: bool,
+    settings: OrthoimageSettings = OrthoimageSettings(),
+) -> None:
     """Write red, green, blue and alpha; without colour the intensity in grey, and alpha.
 
     Parameters
@@ -39,6 +43,7 @@ def write_orthoimage(path: Path, points: Points, elevation: Elevation, pixel_siz
         In metres.
     fill : bool
         Whether pixels of the wall without points take the colour of the nearest.
+    settings : OrthoimageSettings
 
     Raises
     ------
@@ -50,12 +55,12 @@ def write_orthoimage(path: Path, points: Points, elevation: Elevation, pixel_siz
     if points.rgb is not None:
         values, names = points.rgb[rows], ("red", "green", "blue")
     else:
-        values, names = _grey(points, rows)[:, None], ("intensity",)
+        values, names = _grey(points, rows, settings)[:, None], ("intensity",)
     left, bottom, right, top = elevation.wall.bounds
     corner = math.floor(left / pixel_size) * pixel_size, math.ceil(top / pixel_size) * pixel_size
     shape = math.ceil((corner[1] - bottom) / pixel_size), math.ceil((right - corner[0]) / pixel_size)
     transform = Affine(pixel_size, 0, corner[0], 0, -pixel_size, corner[1])
-    image, filled = paint(uvw, values, corner, shape, pixel_size)
+    image, filled = paint(uvw, values, corner, shape, pixel_size, settings.layer_m)
     if fill:
         wall = rasterize([elevation.wall.convex_hull], shape, transform=transform).astype(bool)
         image, filled = _fill(image, filled, wall)
@@ -65,7 +70,12 @@ def write_orthoimage(path: Path, points: Points, elevation: Elevation, pixel_siz
 
 
 def paint(
-    uvw: np.ndarray, values: np.ndarray, corner: tuple[float, float], shape: tuple[int, int], size: float
+    uvw: np.ndarray,
+    values: np.ndarray,
+    corner: tuple[float, float],
+    shape: tuple[int, int],
+    size: float,
+    layer: float,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean values of the foremost points of each pixel, and which pixels have points.
 
@@ -80,6 +90,8 @@ def paint(
         Rows and columns.
     size : float
         Of a pixel (m).
+    layer : float
+        Points further behind the foremost are hidden (m).
 
     Returns
     -------
@@ -94,7 +106,7 @@ def paint(
     starts = np.flatnonzero(np.diff(cells[order], prepend=-1))
     foremost = np.full(shape[0] * shape[1], -np.inf)
     foremost[cells[order][starts]] = w[order][starts]
-    seen = w >= foremost[cells] - LAYER
+    seen = w >= foremost[cells] - layer
     counts = np.bincount(cells[seen], minlength=len(foremost))
     image = np.zeros((len(foremost), values.shape[1]), np.uint8)
     for band in range(values.shape[1]):
@@ -103,12 +115,12 @@ def paint(
     return image.reshape(*shape, -1), counts.reshape(shape) > 0
 
 
-def _grey(points: Points, rows: np.ndarray) -> np.ndarray:
-    """Return the intensity as 0..255; mid-grey without any."""
+def _grey(points: Points, rows: np.ndarray, settings: OrthoimageSettings) -> np.ndarray:
+    """Return the intensity as 0..255; mid-grey without intensity."""
     if points.intensity is None:
         return np.full(len(rows), 128, np.float32)
     values = points.intensity[rows]
-    low, high = np.percentile(values, (DARKEST, BRIGHTEST))
+    low, high = np.percentile(values, (settings.darkest_percent, settings.brightest_percent))
     return np.clip((values - low) / max(high - low, 1.0) * 255, 0, 255).astype(np.float32)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 from rasterio.crs import CRS
@@ -10,8 +10,7 @@ from shapely.geometry import MultiPolygon
 
 from ...geometry.triangulation import triangulate
 from ...vector import write_vector
-from ..elevation import Plane, Points, Segmentation
-from ..facade import frame_of
+from ..elevation import Frame, Plane, Points, Segmentation, frame_of
 from ..outlines.alpha_shape import alpha_shape
 from ..planes.voxels import square_means
 from .elevation_layers import in_space
@@ -42,7 +41,7 @@ def write_planes(
     points : Points
     segmentation : Segmentation
     spacing : float
-        Of the points that outlines are drawn through (m).
+        Of the averaged points through which the outlines run (m).
     crs : CRS or None
 
     Raises
@@ -53,7 +52,9 @@ def write_planes(
     write_vector(path, "3D MultiPolygon", PLANE_FIELDS, _features(points, segmentation, spacing), crs)
 
 
-def _features(points: Points, segmentation: Segmentation, spacing: float) -> Iterator:
+def _features(
+    points: Points, segmentation: Segmentation, spacing: float
+) -> Iterator[tuple[MultiPolygon, dict[str, Any]]]:
     for number, plane in enumerate(segmentation.planes, start=1):
         frame = frame_of(plane, points.origin)
         uvw = frame.local(points.xyz[segmentation.labels == number], points.origin)
@@ -61,7 +62,9 @@ def _features(points: Points, segmentation: Segmentation, spacing: float) -> Ite
         yield in_space(outline, frame), _values(number, plane, points.origin, outline, frame)
 
 
-def _values(number: int, plane: Plane, origin: np.ndarray, outline: MultiPolygon, frame) -> dict:
+def _values(
+    number: int, plane: Plane, origin: np.ndarray, outline: MultiPolygon, frame: Frame
+) -> dict[str, Any]:
     nx, ny, nz = (float(value) for value in plane.normal)
     return {
         "plane": number,

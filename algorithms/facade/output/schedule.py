@@ -22,7 +22,7 @@ DECIMALS = {
 
 
 def write_schedule(path: Path, elevation: Elevation) -> None:
-    """Write the schedule as csv; what is not known is empty.
+    """Write the schedule as csv; unknown values are empty.
 
     Raises
     ------

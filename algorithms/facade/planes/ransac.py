@@ -1,92 +1,96 @@
-"""The plane on which most points lie: RANSAC, and its refit by total least squares."""
+"""The plane on which most points lie: found by RANSAC, fitted by total least squares."""
 
 from typing import Optional
 
 import numpy as np
 from numba import njit
 
-ITERATIONS = 400
-"""Samples of three points; a third of them on one plane finds it in all but one of 10 000 runs."""
-
-TRIES = 30
-"""Points that are tried before a sample is given up."""
-
-SHARP = 0.4
-"""Part of ds within which points speak for a plane; so two planes a little more than ds apart stay two."""
-
-NORMAL = 0.85
-"""Least cosine between the normal of a plane and those of its points."""
-
-ROUNDS = 30
-STILL = 1e-7
-"""A refit ends when the normal changes by less: 10 micrometres on a wall of 100 m."""
-
-SIGMAS, LEAST_SIGMA = 3.0, 1e-4
+from ...geometry.robust import sigma_of_residuals
+from .settings import FitSettings
 
 
 def best_plane(
-    points: np.ndarray, normals: np.ndarray, distance: float, seed: int
+    points: np.ndarray,
+    normals: np.ndarray,
+    distance: float,
+    seed: int,
+    settings: FitSettings = FitSettings(),
 ) -> Optional[tuple[np.ndarray, np.ndarray]]:
-    """Return the normal and a point of the plane that most of the points lie on; None if there is none.
+    """Return the normal and a point of the plane with most points; None if no sample makes a plane.
 
-    It goes through three of the points, and is to be refitted.
+    The plane passes through three of the points. It is a first approximation for `refit`.
 
     Parameters
     ----------
     points, normals : ndarray of float64, shape (n, 3)
     distance : float
-        ds, the distance within which a point may be of the plane (m).
+        ds, the largest distance of a point from its plane (m).
     seed : int
         Of the random samples.
+    settings : FitSettings
     """
     if len(points) < 3:
         return None
-    normal, place = np.zeros(3), np.zeros(3)
-    if _search(points, normals, SHARP * distance, ITERATIONS, seed, normal, place) <= 0:
+    normal, anchor = np.zeros(3), np.zeros(3)
+    limits = settings.vote * distance, settings.least_cosine, settings.slope
+    if _search(points, normals, limits, settings.samples, settings.tries, seed, normal, anchor) <= 0:
         return None
-    return normal, place
+    return normal, anchor
 
 
 def refit(
     points: np.ndarray,
     normal: np.ndarray,
-    place: np.ndarray,
+    anchor: np.ndarray,
     reach: float,
     normals: Optional[np.ndarray] = None,
+    settings: FitSettings = FitSettings(),
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the plane of total least squares of the points near a plane, until it stays.
+    """Return the normal and a point of the plane of total least squares near an approximate plane.
 
-    Only points within three standard deviations count, at most within `reach` (m), and if their normals are
-    known, only those that face as the plane does.
+    Each round fits the points within three standard deviations of the plane before, until the normal no
+    longer changes.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 3)
+    normal, anchor : ndarray of float64, shape (3,)
+        Of the approximate plane.
+    reach : float
+        Points further from the plane never count (m).
+    normals : ndarray of float64, shape (n, 3), optional
+        Of the points; points that face another way never count.
+    settings : FitSettings
     """
-    for _ in range(ROUNDS):
-        distances = (points - place) @ normal
+    for _ in range(settings.rounds):
+        distances = (points - anchor) @ normal
         near = np.abs(distances) <= reach
         if normals is not None:
-            near &= np.abs(normals @ normal) >= NORMAL
+            near &= np.abs(normals @ normal) >= settings.least_cosine
         if near.sum() < 3:
-            return normal, place
-        sigma = max(1.4826 * float(np.median(np.abs(distances[near]))), LEAST_SIGMA)
-        near &= np.abs(distances) <= SIGMAS * sigma
-        place = points[near].mean(axis=0)
-        turned = np.linalg.eigh(np.cov((points[near] - place).T))[1][:, 0]
-        turned *= np.sign(turned @ normal) or 1.0
-        change = float(np.abs(turned - normal).max())
-        normal = turned
-        if change < STILL:
+            return normal, anchor
+        sigma = max(sigma_of_residuals(distances[near]), settings.least_sigma_m)
+        near &= np.abs(distances) <= settings.sigmas * sigma
+        anchor = points[near].mean(axis=0)
+        refined = np.linalg.eigh(np.cov((points[near] - anchor).T))[1][:, 0]
+        refined *= np.sign(refined @ normal) or 1.0
+        change = float(np.abs(refined - normal).max())
+        normal = refined
+        if change < settings.settled:
             break
-    return normal, place
+    return normal, anchor
 
 
 @njit(cache=True, nogil=True)
-def _search(points, normals, reach, iterations, seed, best_normal, best_place):
-    """Write the best plane and return its score: each point counts the more the nearer it is."""
+def _search(points, normals, limits, samples, tries, seed, best_normal, best_anchor):
+    """Write the best plane and return its score: the nearer a point is to the plane, the more it counts."""
+    reach, least_cosine, _ = limits
     np.random.seed(seed)
     best = 0.0
     normal, sample = np.empty(3), np.empty(3, np.int64)
-    for _ in range(iterations):
+    for _ in range(samples):
         sample[0] = np.random.randint(len(points))
-        if not _complete(points, normals, reach, sample):
+        if not _complete(points, normals, limits, tries, sample):
             continue
         a, b, c = points[sample[0]], points[sample[1]], points[sample[2]]
         normal[0] = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])
@@ -97,20 +101,21 @@ def _search(points, normals, reach, iterations, seed, best_normal, best_place):
             continue
         for axis in range(3):
             normal[axis] /= length
-        score = _score(points, normals, reach, normal, a)
+        score = _score(points, normals, reach, least_cosine, normal, a)
         if score > best:
             best = score
             best_normal[:] = normal
-            best_place[:] = a
+            best_anchor[:] = a
     return best
 
 
 @njit(cache=True, nogil=True)
-def _complete(points, normals, reach, sample):
-    """Find two more points that may lie on one plane with the first; tell whether there are."""
+def _complete(points, normals, limits, tries, sample):
+    """Add two more points that may lie on one plane with the first; return whether they were found."""
+    reach, least_cosine, slope = limits
     first = sample[0]
     found = 1
-    for _ in range(TRIES):
+    for _ in range(tries):
         other = np.random.randint(len(points))
         height, cosine, squared = 0.0, 0.0, 0.0
         for axis in range(3):
@@ -118,8 +123,8 @@ def _complete(points, normals, reach, sample):
             height += offset * normals[first, axis]
             cosine += normals[other, axis] * normals[first, axis]
             squared += offset * offset
-        # The normal of a single voxel is not sharp, and less so further away.
-        if abs(cosine) < NORMAL or abs(height) > reach + 0.1 * np.sqrt(squared):
+        # The normal of a single voxel is not sharp, which matters more further away.
+        if abs(cosine) < least_cosine or abs(height) > reach + slope * np.sqrt(squared):
             continue
         sample[found] = other
         found += 1
@@ -129,14 +134,14 @@ def _complete(points, normals, reach, sample):
 
 
 @njit(cache=True, nogil=True)
-def _score(points, normals, reach, normal, place):
+def _score(points, normals, reach, least_cosine, normal, anchor):
     score = 0.0
     for point in range(len(points)):
         height, cosine = 0.0, 0.0
         for axis in range(3):
-            height += (points[point, axis] - place[axis]) * normal[axis]
+            height += (points[point, axis] - anchor[axis]) * normal[axis]
             cosine += normals[point, axis] * normal[axis]
         share = height / reach
-        if abs(share) < 1 and abs(cosine) >= NORMAL:
+        if abs(share) < 1 and abs(cosine) >= least_cosine:
             score += 1 - share * share
     return score

@@ -6,11 +6,7 @@ import numpy as np
 import pandas as pd
 from scipy.spatial import cKDTree
 
-MOST = 100_000
-"""Voxels; their size grows until there are no more."""
-
-NEIGHBOURS = 10
-"""Voxels from which the normal of one is computed."""
+from .settings import VoxelSettings
 
 
 @dataclass(frozen=True)
@@ -35,26 +31,34 @@ class Voxels:
     of_point: np.ndarray
 
 
-def make_voxels(xyz: np.ndarray, size: float) -> Voxels:
-    """Sort points, shape (n, 3), into cubes of at least `size` (m)."""
+def make_voxels(xyz: np.ndarray, size: float, settings: VoxelSettings = VoxelSettings()) -> Voxels:
+    """Return the cubes of points.
+
+    Parameters
+    ----------
+    xyz : ndarray of float64, shape (n, 3)
+    size : float
+        Least side of a cube (m).
+    settings : VoxelSettings
+    """
     corner = xyz.min(axis=0)
     while True:
         x, y, z = (((xyz[:, axis] - corner[axis]) / size).astype(np.int64) for axis in range(3))
         codes, keys = pd.factorize((x * (y.max() + 1) + y) * (z.max() + 1) + z)
-        if len(keys) <= MOST:
+        if len(keys) <= settings.most_cubes:
             break
         # The cubes lie on surfaces.
-        size *= 1.1 * np.sqrt(len(keys) / MOST)
-    # In the order of their places, which no order of the points changes.
+        size *= 1.1 * np.sqrt(len(keys) / settings.most_cubes)
+    # Numbered by position, so that the order of the points does not matter.
     of_point = np.argsort(np.argsort(keys))[codes]
     counts = np.bincount(of_point)
     sums = [np.bincount(of_point, xyz[:, axis]) for axis in range(3)]
     centres = np.stack(sums, axis=1) / counts[:, None]
-    return Voxels(float(size), centres, _normals(centres), of_point)
+    return Voxels(float(size), centres, _normals(centres, settings.neighbours), of_point)
 
 
-def _normals(centres: np.ndarray) -> np.ndarray:
-    _, near = cKDTree(centres).query(centres, k=min(NEIGHBOURS, len(centres)), workers=-1)
+def _normals(centres: np.ndarray, neighbours: int) -> np.ndarray:
+    _, near = cKDTree(centres).query(centres, k=min(neighbours, len(centres)), workers=-1)
     around = centres[near.reshape(len(centres), -1)]
     around = around - around.mean(axis=1, keepdims=True)
     moments = np.einsum("nki,nkj->nij", around, around)

@@ -5,13 +5,13 @@ from typing import Optional
 
 import numpy as np
 
-from ..matching.growth import Growth
-from ..matching.layout import fixes_pose, line_width
 from ..results import GlobalTest
+from ..sequential_registration import Growth
 from ..settings import Settings
 from .least_squares import Block, Sighting, adjust
 from .scan_adjustment import worst_target
-from .test_statistics import global_test
+from .statistical_tests import global_test
+from .target_layout import fixes_pose, line_width
 
 
 @dataclass(frozen=True)

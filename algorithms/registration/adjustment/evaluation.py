@@ -8,7 +8,6 @@ import numpy as np
 from scipy import stats
 
 from ..lists.point_list import PointList
-from ..matching.growth import Growth, Placed
 from ..results import (
     REGISTERED,
     ControlPoint,
@@ -17,11 +16,12 @@ from ..results import (
     ScaleTest,
     ScanRegistration,
 )
+from ..sequential_registration import Growth, Placed
 from ..settings import Model, Settings
 from .block_adjustment import Adjusted
 from .least_squares import Sighting, adjust
 from .similarity import Pose, parameter_design
-from .test_statistics import divided, global_test, spread_factor
+from .statistical_tests import divided, global_test, spread_factor
 
 SCALE_ALPHA = 0.01
 """Significance level of the test of the scale."""

@@ -14,7 +14,7 @@ from scipy.sparse import csr_matrix
 
 from ..settings import Model
 from .similarity import Pose, moved_pose, parameter_design
-from .test_statistics import NONCENTRALITY, UNCONTROLLED, divided
+from .statistical_tests import NONCENTRALITY, UNCONTROLLED, divided
 
 ROUNDS = 50
 SMALL_STEP = 1e-10

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from ..matching.layout import fixes_pose
 from ..settings import Model
 from .similarity import Pose, fit_pose, moved_pose, parameter_design
-from .test_statistics import CRITICAL_W, UNCONTROLLED, critical_tau, divided
+from .statistical_tests import CRITICAL_W, UNCONTROLLED, critical_tau, divided
+from .target_layout import fixes_pose
 
 ROUNDS = 20
 SMALL_STEP = 1e-10

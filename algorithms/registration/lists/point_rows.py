@@ -6,7 +6,7 @@ from typing import Optional
 import numpy as np
 from rasterio.crs import CRS
 
-from ...clouds.formats.text_layout import NAMES
+from ...clouds.formats.text_header import NAMES
 
 # What columns and fields are called, in the spelling of `clouds.normals.simplified`.
 ROLES = {

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
-from ...clouds.formats.text_layout import (
+from ...clouds.formats.text_dialect import (
     BYTE_ORDER_MARKS,
     NUMBER,
     Dialect,
     decimal_sign,
     delimiter_and_width,
     is_comment,
-    read_preamble,
     split,
 )
+from ...clouds.formats.text_header import read_preamble
 from ...errors import InputError
 from .point_rows import ROLES, Rows
 

@@ -6,17 +6,17 @@ from typing import Optional, Union
 import numpy as np
 from scipy.spatial.distance import cdist
 
-from ..adjustment.network import Network
+from ..adjustment.control_network import Network
 from ..adjustment.scan_adjustment import fit_scan
 from ..adjustment.similarity import Pose
+from ..adjustment.target_layout import fixes_pose, has_free_scale, line_width, spread
 from ..lists.point_list import PointList
 from ..settings import Matching, Model, Settings
-from .chance import Chance
+from .accidental_matches import Chance
 from .control_points import DRIFT, Site, factor_of
 from .diagnosis import explain_failure, mirrored_solution
-from .layout import fixes_pose, has_free_scale, line_width, spread
-from .search import MOST_SOLUTIONS, Solution, find_solutions
 from .similar_triangles import MOST_POINTS
+from .solution_search import MOST_SOLUTIONS, Solution, find_solutions
 
 POOR = 2.5
 """With a larger sigma0 a fit is poor."""

@@ -14,7 +14,7 @@ from ...reporting.html import (
     table,
     write_page,
 )
-from ..adjustment.test_statistics import ALPHA, CRITICAL_W, NONCENTRALITY, POWER
+from ..adjustment.statistical_tests import ALPHA, CRITICAL_W, NONCENTRALITY, POWER
 from ..results import ControlPoint, Registration, ScanRegistration
 from ..settings import Matching, Model, Settings
 from .layers import PLANE_FACTOR, SPACE_FACTOR

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...reporting.html import Markup, bullets, element, notes, number, paragraph, section, table
-from ..adjustment.test_statistics import CRITICAL_W, critical_tau
+from ..adjustment.statistical_tests import CRITICAL_W, critical_tau
 from ..results import GlobalTest, Registration, ScanRegistration
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan

@@ -2,13 +2,15 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Optional, Union
+from typing import Optional
 
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 
-from .curves import Arc, Line, fit_arc, fit_line
+from ...geometry.azimuths import line_azimuth
+from ...geometry.circles import fit_arc
+from ...geometry.curves import Curve, Line, fit_line
 from .skeleton import Chain, skeleton_of
 
 WANDER = (0.01, 0.12)
@@ -94,7 +96,7 @@ class _Piece:
 
     points: np.ndarray
     chords: np.ndarray
-    curve: Union[Line, Arc]
+    curve: Curve
     start: Optional[int]
     end: Optional[int]
 
@@ -246,7 +248,7 @@ def _drawn(piece: _Piece, places: dict, outline: Polygon) -> LineString:
     return LineString(np.concatenate([[first], corners, [last]]))
 
 
-def _wall_end(curve: Union[Line, Arc], points: np.ndarray, outline: Polygon) -> np.ndarray:
+def _wall_end(curve: Curve, points: np.ndarray, outline: Polygon) -> np.ndarray:
     """Return where a curve, followed beyond the first of its points, leaves the outline."""
     start = curve.foot(points[0])
     direction = curve.tangent(points[0]).direction
@@ -265,8 +267,5 @@ def _thickness(piece: _Piece) -> tuple:
     return (None, None) if thickness < ONE_FACE else (thickness, float(np.std(across)))
 
 
-def _azimuth(curve: Union[Line, Arc]) -> Optional[float]:
-    if isinstance(curve, Arc):
-        return None
-    east, north = curve.direction
-    return float(np.degrees(np.arctan2(east, north)) % 180.0)
+def _azimuth(curve: Curve) -> Optional[float]:
+    return line_azimuth(curve.direction) if isinstance(curve, Line) else None

@@ -7,8 +7,8 @@ from typing import Optional
 import numpy as np
 from shapely.geometry import Polygon
 
-from ...geometry.outline_triangles import Mesh, triangulate
-from ..density.grid import label_linked
+from ...geometry.linked_parts import label_linked
+from ...geometry.outline_triangles import OutlineMesh, triangulate_outlines
 
 STUB = 1.0
 """What stands out from a wall less than this share of its own width is a corner or rubble, not a wall."""
@@ -70,7 +70,7 @@ def skeleton_of(outline: Polygon) -> Skeleton:
     After L. Prasad, Morphological analysis of shapes (1997): chords are sides of Delaunay triangles; a
     triangle with three chords is a junction; a branch that hardly stands out is none.
     """
-    mesh = triangulate([outline])
+    mesh = triangulate_outlines([outline])
     graph = _Graph(mesh)
     graph.prune()
     centres = mesh.points[mesh.triangles].mean(axis=1)
@@ -81,7 +81,7 @@ def skeleton_of(outline: Polygon) -> Skeleton:
 class _Graph:
     """The triangles inside a wall, linked over their common sides."""
 
-    def __init__(self, mesh: Mesh) -> None:
+    def __init__(self, mesh: OutlineMesh) -> None:
         sides = mesh.sides(mesh.wall)
         self.ends, self.points, self.triangles = sides.ends, mesh.points, mesh.triangles
         # The side to each neighbour, by triangle; and the triangles pruned, by the junction they hung on.

@@ -5,38 +5,16 @@ from numba import njit
 from scipy import ndimage
 
 from .ground import surfaces_of, wide_parts
-
-CELL = 0.5
-"""Edge in metres of the cells in which a ceiling is looked for."""
-
-LOWEST = 2.0
-"""A ceiling is at least this high (m) above the ground."""
-
-COVER = 0.7
-"""Share of the pixels of a cell that a ceiling covers, at least."""
-
-CLEAR, CLUTTER = 5, 0.25
-"""In this number of bins below a ceiling, at most this share of a cell is taken by walls and beams."""
-
-PATCH = 4
-"""A ceiling holds a level square of this many cells, 2 m."""
-
-TOLD = 0.6
-"""Least share of a ceiling's cells in which it is told; the others are beams and what they hide.
-A crown is as uneven below that it is told in half its cells at most."""
-
-REACH = 2
-"""Number of cells, a metre, beyond a ceiling that was told in which points as high are taken for it."""
-
-BEAM = 6
-"""Number of bins, more than half a metre, that a beam reaches below a ceiling at most."""
-
-GAP = 2
-"""Number of empty bins that the scan lines on a distant wall leave between them."""
+from .settings import CeilingSettings
 
 
 def hanging_height(
-    bits: np.ndarray, held: np.ndarray, low: float, bin_height: float, pixel_size: float
+    bits: np.ndarray,
+    held: np.ndarray,
+    low: float,
+    bin_height: float,
+    pixel_size: float,
+    settings: CeilingSettings = CeilingSettings(),
 ) -> np.ndarray:
     """Return the height that points fill right below the ceiling, or below the beam that hides it.
 
@@ -50,31 +28,34 @@ def hanging_height(
         Height above the ground at which the lowest bin begins, metres.
     bin_height, pixel_size : float
         Metres.
+    settings : CeilingSettings
 
     Returns
     -------
     ndarray of float32, shape (rows, columns)
-        Metres; nan where there is no ceiling, beside one where no point is as high, and in windows.
+        Metres; nan without a ceiling, beside one where no point is as high, and in windows.
     """
-    side = max(round(CELL / pixel_size), 1)
-    lowest = round((LOWEST - low) / bin_height)
-    levels = _levels(bits, held, side, lowest, COVER, CLEAR, CLUTTER)
-    return _hanging(bits, held, _ceilings(levels), side, REACH, BEAM, GAP) * np.float32(bin_height)
+    side = max(round(settings.cell_m / pixel_size), 1)
+    lowest = round((settings.lowest_m - low) / bin_height)
+    levels = _levels(bits, held, side, lowest, settings.cover, settings.clear_bins, settings.clutter)
+    ceilings = _ceilings(levels, settings)
+    limits = settings.beside_cells, settings.beam_bins, settings.gap_bins
+    return _hanging(bits, held, ceilings, side, *limits) * np.float32(bin_height)
 
 
-def _ceilings(levels: np.ndarray) -> np.ndarray:
-    """Keep the levels of wide surfaces; a beam, and what it hides, up to a metre, is passed over."""
+def _ceilings(levels: np.ndarray, settings: CeilingSettings) -> np.ndarray:
+    """Keep the levels of wide surfaces; beams up to a metre wide, and what they hide, are passed over."""
     closed = ndimage.grey_closing(np.pad(levels, 2, constant_values=-1), (3, 3))[2:-2, 2:-2]
     surfaces = surfaces_of(np.where(closed >= 0, closed, np.nan), 1)
-    told = np.bincount(surfaces[np.abs(levels - closed) <= 1], minlength=surfaces.max() + 1)
-    even = told >= TOLD * np.bincount(surfaces.ravel(), minlength=len(told))
+    detected = np.bincount(surfaces[np.abs(levels - closed) <= 1], minlength=surfaces.max() + 1)
+    even = detected >= settings.detected_share * np.bincount(surfaces.ravel(), minlength=len(detected))
     even[0] = False
-    return np.where(wide_parts(surfaces, even[surfaces], PATCH), closed, -1)
+    return np.where(wide_parts(surfaces, even[surfaces], settings.patch_cells), closed, -1)
 
 
 @njit(nogil=True, cache=True)
 def _levels(bits, held, side, lowest, cover, clear, clutter):
-    """Return the bin of the lowest surface that covers each cell of `side` pixels; -1 if there is none."""
+    """Return the bin of the lowest surface that covers each cell of `side` pixels; -1 without one."""
     rows, columns = (bits.shape[0] + side - 1) // side, (bits.shape[1] + side - 1) // side
     levels = np.full((rows, columns), -1, np.int64)
     for row in range(rows):
@@ -124,7 +105,7 @@ def _hanging(bits, held, levels, side, reach, beam, gap):
 
 @njit(nogil=True, cache=True)
 def _lowest_beside(levels, row, column, reach):
-    """Return the lowest of the levels around a cell; -1 if there is none."""
+    """Return the lowest of the levels around a cell; -1 without one."""
     lowest = -1
     for r in range(max(row - reach, 0), min(row + reach + 1, levels.shape[0])):
         for c in range(max(column - reach, 0), min(column + reach + 1, levels.shape[1])):
@@ -147,7 +128,7 @@ def _filled_below(word, level, gap):
 
 @njit(nogil=True, cache=True)
 def _is_one_piece(word, gap):
-    """Tell whether all stands on the ground: the head of a window hangs above its sill."""
+    """Return whether all points stand on the ground: the head of a window hangs above its sill."""
     top = 63
     while top > 0 and not (word >> np.uint64(top)) & np.uint64(1):
         top -= 1

@@ -1,4 +1,4 @@
-"""The density image of a cloud, with the heights that tell a wall from a floor.
+"""The density image of a cloud, with the heights that separate walls from floors.
 
 Mueller et al. 2012, section 2.1: the cloud is thinned to a minimum distance and each point spreads over the
 pixels around it. The heights are read from all points on the way.
@@ -7,7 +7,7 @@ pixels around it. The heights are read from all points on the way.
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
@@ -17,26 +17,20 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.thinning.tiles import LATTICE, Tile, TileStore, fill, stray_warning, to_lattice
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.tile_store import Tile, TileStore, fill, stray_warning
 from ...errors import InputError
 from ...progress import Progress
 from ..walls.height_gate import Heights
 from .ceiling import hanging_height
-from .foliage import PARTS, scatter, spread_of
 from .grid import Grid, make_grid, site_tiles
-from .ground import CELL, LowestSurface, at_pixels, ground_surface
+from .ground import LowestSurface, at_pixels, ground_surface
 from .height_range import HeightRange, cut
-
-WINDOW = (0.3, 2.3)
-"""Heights above the local ground, in metres, between which a column counts as occupied."""
-
-BIN = 0.1
-"""Height of the bins that are occupied or not, in metres."""
-
-BINS = round((WINDOW[1] - WINDOW[0]) / BIN)
+from .settings import DensitySettings, HeightWindowSettings
+from .spread import count_in_parts, spread_of
 
 ALL_BINS = 64
-"""Number of bins that are noted: up to 6.7 m above the local ground, for the ceiling."""
+"""Number of bins that a word notes: up to 6.7 m above the local ground, for the ceiling."""
 
 
 @dataclass(frozen=True)
@@ -48,21 +42,23 @@ class DensityImage:
     density : ndarray
         Points per pixel, spread by inverse distance; nan where no point contributes.
     occupied : ndarray
-        Occupied height in metres: `BIN` times the number of bins in `WINDOW` that hold a point.
+        Occupied height in metres: that of the bins in the window of heights that hold a point.
     base, top : ndarray
         Height of the lowest and the highest point in metres; nan where the pixel holds none.
     ground : ndarray
         Height of the local ground in metres, or of the cut above it.
     spread : ndarray
-        Share of the pixel over which the points in `WINDOW` are spread; nan where they are few.
+        Share of the pixel over which the points in the window are spread; nan where they are few.
     hanging : ndarray
-        Height in metres that points fill right below a ceiling; nan where there is none.
+        Height in metres that points fill right below a ceiling; nan without one.
     transform : Affine
         From (column, row) to world coordinates.
     crs : CRS or None
     points_in, points_kept : int
         Points before and after thinning.
     warnings : tuple of str
+    window : HeightWindowSettings
+        The heights above the ground in which walls were looked for.
     """
 
     density: np.ndarray
@@ -76,11 +72,12 @@ class DensityImage:
     crs: CRS
     points_in: int
     points_kept: int
-    warnings: tuple
+    warnings: tuple[str, ...]
+    window: HeightWindowSettings = field(default_factory=HeightWindowSettings)
 
     @property
     def heights(self) -> Heights:
-        """The bands that tell heights."""
+        """The bands of heights."""
         return Heights(self.occupied, self.base, self.top, self.ground, self.spread, self.hanging)
 
 
@@ -91,6 +88,7 @@ def density_image(
     neighbourhood: int = 1,
     progress: Progress = Progress(),
     heights: HeightRange = HeightRange(),
+    settings: DensitySettings = DensitySettings(),
 ) -> DensityImage:
     """Compute the density image of a cloud.
 
@@ -108,7 +106,8 @@ def density_image(
         Reports and cancels.
     heights : HeightRange
         Points outside are left out. The ground is looked for in what is left, unless it is the ground
-        that the range is counted from; above that, the cut stands for it.
+        that the range is counted from; above that, the cut replaces it.
+    settings : DensitySettings
 
     Raises
     ------
@@ -116,7 +115,8 @@ def density_image(
         If no point is left, all points have the same position, most lie far from each other, or
         the raster would be too large.
     """
-    with sort_and_image(cloud, spacing, pixel_size, neighbourhood, progress, heights) as (image, _points):
+    chosen = cloud, spacing, pixel_size, neighbourhood, progress, heights, settings
+    with sort_and_image(*chosen) as (image, _points):
         return image
 
 
@@ -134,7 +134,7 @@ class SortedPoints:
     """
 
     store: TileStore
-    keys: list
+    keys: list[tuple[int, int]]
     grid: Grid
 
 
@@ -146,6 +146,7 @@ def sort_and_image(
     neighbourhood: int = 1,
     progress: Progress = Progress(),
     heights: HeightRange = HeightRange(),
+    settings: DensitySettings = DensitySettings(),
 ) -> Iterator[tuple[DensityImage, SortedPoints]]:
     """Compute the density image as `density_image` does, and keep the sorted points for a further pass.
 
@@ -156,7 +157,7 @@ def sort_and_image(
     """
     with TileStore(tile_edge(spacing)) as store:
         fill(store, cloud, progress.part(0.0, 0.45))
-        keys, stray = site_tiles(store)
+        keys, stray = site_tiles(store, settings.site)
         if stray > store.point_count / 2:
             raise InputError(
                 f"{names_of(cloud.sources)}: {stray} of {store.point_count} points lie far from each "
@@ -164,12 +165,13 @@ def sort_and_image(
             )
         if heights.is_limited and not heights.above_ground:
             keys = cut(store, keys, heights, cloud, progress.part(0.45, 0.5))
-        low, high, surface = _survey(store, keys, to_lattice(pixel_size), progress.part(0.5, 0.6))
+        low, high, surface = _survey(store, keys, to_lattice(pixel_size), settings, progress.part(0.5, 0.6))
         if (low == high).all():
             raise InputError(f"{names_of(cloud.sources)}: all points have the same position; is it a scan?")
-        grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1)
-        ground = ground_surface(surface, below=math.isfinite(heights.low) and not heights.above_ground)
-        layers = _Layers(grid, at_pixels(ground, surface.grid, grid))
+        grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1, settings.site)
+        is_cut = math.isfinite(heights.low) and not heights.above_ground
+        ground = ground_surface(surface, is_cut, settings.ground)
+        layers = _Layers(grid, at_pixels(ground, surface.grid, grid), settings)
         if heights.is_limited and heights.above_ground:
             keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, layers.ground)
             layers.ground += max(heights.low, 0.0)
@@ -194,7 +196,9 @@ def _doubts(size: np.ndarray, spacing: float, pixel_size: float) -> Iterator[str
         yield f"SPACING {spacing:g} m is wider than PIXEL_SIZE {pixel_size:g} m, so walls have gaps."
 
 
-def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tuple:
+def _survey(
+    store: TileStore, keys: list[tuple[int, int]], pixel: int, settings: DensitySettings, progress: Progress
+) -> tuple[np.ndarray, np.ndarray, LowestSurface]:
     """Return the smallest and largest x, y, z of the site, and its lowest surface.
 
     A site too large for pixels of `pixel` lattice steps is refused at once.
@@ -202,8 +206,9 @@ def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tup
     columns, rows = np.array(keys).T
     low = np.array([columns.min(), rows.min()]) * store.edge
     high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
-    make_grid(low, high, pixel, 0)
-    surface = LowestSurface(make_grid(low, high, to_lattice(CELL), 0))
+    make_grid(low, high, pixel, 0, settings.site)
+    cells = make_grid(low, high, to_lattice(settings.ground.cell_m), 0, settings.site)
+    surface = LowestSurface(cells, settings.ground)
     least, most = [], []
     for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
         surface.add(tile)
@@ -216,12 +221,13 @@ def _survey(store: TileStore, keys: list, pixel: int, progress: Progress) -> tup
 class _Layers:
     """Accumulators of the bands; rows count from the bottom."""
 
-    def __init__(self, grid: Grid, ground: np.ndarray) -> None:
-        self.grid = grid
+    def __init__(self, grid: Grid, ground: np.ndarray, settings: DensitySettings) -> None:
+        self.grid, self.settings = grid, settings
         self.ground = ground
         self.density = np.zeros(grid.shape)
         self.bits = np.zeros(grid.shape, np.uint64)
-        self.parts = np.zeros((grid.height * PARTS, grid.width * PARTS), np.uint8)
+        parts = settings.spread.parts
+        self.parts = np.zeros((grid.height * parts, grid.width * parts), np.uint8)
         self.base = np.full(grid.shape, np.inf, np.float32)
         self.top = np.full(grid.shape, -np.inf, np.float32)
 
@@ -230,9 +236,11 @@ class _Layers:
         x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
         chosen = tile.xyz[kept]
         _spread(self.density, chosen, x0, y0, self.grid.step, neighbourhood)
-        scatter(self.parts, self.ground, chosen, x0, y0, self.grid.step, LATTICE, *WINDOW)
+        window, step = self.settings.window, self.grid.step
+        limits = window.lowest_m, window.highest_m, self.settings.spread.parts
+        count_in_parts(self.parts, self.ground, chosen, x0, y0, step, LATTICE, *limits)
         heights = (self.ground, self.bits, self.base, self.top)
-        _stack(*heights, tile.xyz, x0, y0, self.grid.step, LATTICE, WINDOW[0], ALL_BINS, BIN)
+        _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
 
 
 @njit(nogil=True, cache=True)
@@ -270,39 +278,44 @@ def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, bins, bin_h
             bits[row, column] |= np.uint64(1) << np.uint64(level)
 
 
-def _occupied_bins(bits: np.ndarray) -> np.ndarray:
-    """Count the bins of `WINDOW` that hold a point, and the one or two empty ones between two that do.
+def _occupied_bins(bits: np.ndarray, count: int) -> np.ndarray:
+    """Count the lowest bins that hold a point, and the one or two empty ones between two that do.
 
     A distant wall is hit by scan lines farther apart than a bin is high.
     """
     one, two = np.uint64(1), np.uint64(2)
-    bits = bits & np.uint64((1 << BINS) - 1)
+    bits = bits & np.uint64((1 << count) - 1)
     between = (bits << one) & (bits >> one)
     between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
     bits = bits | between
-    return sum((bits >> np.uint64(k)) & one for k in range(BINS))
+    return sum((bits >> np.uint64(k)) & one for k in range(count))
 
 
-def _image(layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple) -> DensityImage:
-    counts = _occupied_bins(layers.bits)
+def _image(
+    layers: _Layers, crs: Optional[CRS], points_in: int, kept: int, warnings: tuple[str, ...]
+) -> DensityImage:
+    window = layers.settings.window
+    counts = _occupied_bins(layers.bits, window.bins)
 
     def top_down(band: np.ndarray, valid: np.ndarray) -> np.ndarray:
         return np.where(valid, band, np.nan).astype(np.float32)[::-1]
 
     held = np.isfinite(layers.base)
     pixel_size = layers.grid.step * LATTICE
-    hanging = hanging_height(layers.bits, held, WINDOW[0], BIN, pixel_size)
+    heights = window.lowest_m, window.bin_m, pixel_size
+    hanging = hanging_height(layers.bits, held, *heights, layers.settings.ceiling)
     return DensityImage(
         density=top_down(layers.density, layers.density > 0),
-        occupied=top_down(counts * BIN, layers.density > 0),
+        occupied=top_down(counts * window.bin_m, layers.density > 0),
         base=top_down(layers.base, held),
         top=top_down(layers.top, held),
         ground=layers.ground[::-1].astype(np.float32),
-        spread=spread_of(layers.parts)[::-1],
+        spread=spread_of(layers.parts, layers.settings.spread)[::-1],
         hanging=hanging[::-1],
         transform=layers.grid.transform,
         crs=crs,
         points_in=points_in,
         points_kept=kept,
         warnings=warnings,
+        window=window,
     )

@@ -4,24 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from affine import Affine
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
-from ...clouds.thinning.tiles import LATTICE, TileStore
+from ...clouds.tiles.lattice import LATTICE
+from ...clouds.tiles.tile_store import TileStore
 from ...errors import InputError
-
-MAX_PIXELS = 100_000_000
-"""Largest raster: a square kilometre at 10 cm; about 8 GB of memory."""
-
-GAP = 20.0
-"""Parts of a site farther apart than this, in metres, are told apart."""
-
-STRAY_SHARE = 1e-3
-"""A part with less than this share of the points is stray."""
-
-SPARSE_SHARE, SPARSE_COVER = 0.02, 0.1
-"""So is a part with less than these shares of the points and of the main part's points per tile:
-reflections are thin."""
+from ...geometry.linked_parts import label_linked
+from .settings import SiteSettings
 
 
 @dataclass(frozen=True)
@@ -45,12 +33,12 @@ class Grid:
     step: int
 
     @property
-    def shape(self) -> tuple:
+    def shape(self) -> tuple[int, int]:
         """Rows and columns."""
         return self.height, self.width
 
     @property
-    def corner(self) -> tuple:
+    def corner(self) -> tuple[int, int]:
         """Lower left corner in lattice steps."""
         return self.column * self.step, self.row * self.step
 
@@ -65,11 +53,13 @@ class Grid:
         return Affine(size, 0.0, left, 0.0, -size, top)
 
 
-def site_tiles(store: TileStore) -> tuple:
-    """Tell the tiles of the site from those that hold stray points far away.
+def site_tiles(
+    store: TileStore, settings: SiteSettings = SiteSettings()
+) -> tuple[list[tuple[int, int]], int]:
+    """Separate the tiles of the site from those that hold stray points far away.
 
-    Tiles within `GAP` of each other are one part of the site; see `STRAY_SHARE` and `SPARSE_SHARE`
-    for the parts that are stray.
+    Tiles within the gap between parts of each other are one part of the site. A part is stray if it holds
+    hardly any of the points, or few and thinly spread.
 
     Returns
     -------
@@ -80,14 +70,14 @@ def site_tiles(store: TileStore) -> tuple:
     """
     counts = store.counts()
     keys = np.array(list(counts))
-    reach = max(round(GAP / 2 / (store.edge * LATTICE)), 1)
+    reach = max(round(settings.part_gap_m / 2 / (store.edge * LATTICE)), 1)
     blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)
     part = _connected(blocks)[member.ravel()]
     points = np.bincount(part, weights=list(counts.values()))
     share = points / points.sum()
     cover = points / np.bincount(part)
-    sparse = (share < SPARSE_SHARE) & (cover < SPARSE_COVER * cover[np.argmax(points)])
-    stray = sparse | (share < STRAY_SHARE)
+    thin = cover < settings.sparse_cover * cover[np.argmax(points)]
+    stray = ((share < settings.sparse_share) & thin) | (share < settings.stray_share)
     stray[np.argmax(points)] = False
     kept = ~stray[part]
     left_out = sum(n for n, keep in zip(counts.values(), kept) if not keep)
@@ -107,13 +97,9 @@ def _connected(blocks: np.ndarray) -> np.ndarray:
     return label_linked(*np.array(pairs).T, len(blocks))
 
 
-def label_linked(first: np.ndarray, second: np.ndarray, count: int) -> np.ndarray:
-    """Label things 0..count-1 so that those linked, `first` to `second` in pairs, have one label."""
-    links = coo_matrix((np.ones(len(first), bool), (first, second)), shape=(count, count))
-    return connected_components(links, directed=False)[1]
-
-
-def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid:
+def make_grid(
+    low: np.ndarray, high: np.ndarray, step: int, margin: int, settings: SiteSettings = SiteSettings()
+) -> Grid:
     """Return the grid that covers the points between two corners.
 
     Parameters
@@ -124,20 +110,21 @@ def make_grid(low: np.ndarray, high: np.ndarray, step: int, margin: int) -> Grid
         Pixel size; lattice steps.
     margin : int
         Pixels added on each side.
+    settings : SiteSettings
 
     Raises
     ------
     InputError
-        If the raster would hold more than `MAX_PIXELS` pixels.
+        If the raster would hold more pixels than the settings allow.
     """
     column, row = (int(value) // step - margin for value in low)
     width = int(high[0]) // step + margin + 1 - column
     height = int(high[1]) // step + margin + 1 - row
-    if width * height > MAX_PIXELS:
-        size = step * LATTICE
+    if width * height > settings.most_pixels:
+        size, most = step * LATTICE, settings.most_pixels
         raise InputError(
             f"The raster would be {width} x {height} pixels ({width * size:.0f} x "
-            f"{height * size:.0f} m at {size:g} m), more than {MAX_PIXELS:,}: raise PIXEL_SIZE, cut the "
+            f"{height * size:.0f} m at {size:g} m), more than {most:,}: raise PIXEL_SIZE, cut the "
             "cloud to the site, or check that its coordinates are metres."
         )
     return Grid(column, row, width, height, step)

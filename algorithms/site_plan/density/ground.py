@@ -4,39 +4,11 @@ import numpy as np
 from numba import njit
 from scipy import ndimage
 
-from ...clouds.thinning.tiles import LATTICE, Tile, to_lattice
-from .grid import Grid, label_linked
-
-CELL = 0.5
-"""Edge of a ground cell in metres: wider than most walls are thick, so that ground is seen beside them."""
-
-LAYER = 0.1
-"""Height of the layers that are searched for the lowest surface, in metres."""
-
-SUPPORT = 0.01
-"""Share of a cell's points that a surface must hold; single points below ground are reflections."""
-
-ENOUGH = 5
-"""Number of points that is support in any case; under a crown the ground is seen by a few."""
-
-STEEPEST = 0.7
-"""Steepest ground (rise / run) from cell to cell; a higher step parts two surfaces."""
-
-CLEARANCE = 5
-"""Number of layers above the lowest two that tell whether it is clear above."""
-
-PIT = 1.0
-"""A cell this far (m) below nearly all its surroundings is no ground but a reflection."""
-
-PATCH = 4
-"""Ground is a surface that holds a smooth square of this many cells, 2 m; a table does not."""
-
-SMOOTH = 0.15
-"""Largest change of the rise from cell to cell to cell on smooth ground, metres; crowns are rougher."""
-
-
-ROOM, LEFT = 1.0, 0.05
-"""A surface is a ceiling that more than this share of the cells lie farther below than this (m)."""
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.tile_store import Tile
+from ...geometry.linked_parts import label_linked
+from .grid import Grid
+from .settings import GroundSettings
 
 
 class LowestSurface:
@@ -45,15 +17,15 @@ class LowestSurface:
     Attributes
     ----------
     grid : Grid
-        Cells of `CELL`; rows of the arrays count from the bottom.
+        The ground cells; rows of the arrays count from the bottom.
     height : ndarray of float64, shape (rows, columns)
         Metres; nan where there is no point.
     clear : ndarray of bool, shape (rows, columns)
         Whether there are fewer points right above the layer than in it, as above a ground.
     """
 
-    def __init__(self, grid: Grid) -> None:
-        self.grid = grid
+    def __init__(self, grid: Grid, settings: GroundSettings = GroundSettings()) -> None:
+        self.grid, self.settings = grid, settings
         self.height = np.full(grid.shape, np.nan)
         self.clear = np.zeros(grid.shape, bool)
 
@@ -61,10 +33,12 @@ class LowestSurface:
         """Fill in the cells of a tile."""
         side = tile.edge // self.grid.step
         column, row = ((tile.corner[i] - self.grid.corner[i]) // self.grid.step for i in (0, 1))
-        place = slice(row, row + side), slice(column, column + side)
-        counts, sums = _layers(tile.xyz, self.grid.step, side, to_lattice(LAYER))
-        self.height[place], self.clear[place] = _lowest(counts, sums, SUPPORT, ENOUGH, CLEARANCE)
-        self.height[place] *= LATTICE
+        cells = slice(row, row + side), slice(column, column + side)
+        own = self.settings
+        counts, sums = _layers(tile.xyz, self.grid.step, side, to_lattice(own.layer_m))
+        support = own.support_share, own.support_points
+        self.height[cells], self.clear[cells] = _lowest(counts, sums, *support, own.clearance_layers)
+        self.height[cells] *= LATTICE
 
 
 @njit(nogil=True, cache=True)
@@ -107,30 +81,35 @@ def _lowest(counts, sums, support, enough, clearance):
     return height, clear
 
 
-def ground_surface(surface: LowestSurface, below: bool = False) -> np.ndarray:
+def ground_surface(
+    surface: LowestSurface, below: bool = False, settings: GroundSettings = GroundSettings()
+) -> np.ndarray:
     """Return the height of the ground under every cell; float64, shape (rows, columns), metres.
 
     Cells whose lowest surfaces pass into one another are one surface, and it is ground if it is
     somewhere wide, smooth and clear above: terraces and storeys stay apart from each other, and the
-    top of a wall, a table or the underside of a crown is never ground. If there is none, the largest
-    surface is ground. Every other cell takes the height of the nearest ground, or its own if that is
+    top of a wall, a table or the underside of a crown is never ground. Without such a surface, the
+    largest one is ground. Every other cell takes the height of the nearest ground, or its own if that is
     a little lower.
 
-    With `below`, the points below some height were left out, and the ground may be among them. What
-    many cells lie far below is then a ceiling, and they, in which walls begin, show the ground.
+    With `below`, the points below some height were left out, and the ground may be among them. A surface
+    that many cells lie far below is then a ceiling. Walls begin in those cells, so they show the ground.
     """
     seen = np.isfinite(surface.height)
     filled = np.where(seen, surface.height, surface.height[seen].max())
-    usual = ndimage.percentile_filter(filled, 10, size=7, mode="nearest")
-    sound = seen & (filled > usual - PIT)
+    usual = ndimage.percentile_filter(
+        filled, settings.usual_percentile, size=settings.usual_cells, mode="nearest"
+    )
+    sound = seen & (filled > usual - settings.pit_m)
     heights = np.where(sound, surface.height, np.nan)
-    surfaces = surfaces_of(heights, STEEPEST * CELL)
-    ground = wide_parts(surfaces, _is_smooth(heights) & surface.clear, PATCH)
+    surfaces = surfaces_of(heights, settings.steepest * settings.cell_m)
+    level = _is_smooth(heights, settings.smooth_m) & surface.clear
+    ground = wide_parts(surfaces, level, settings.patch_cells)
     if not ground.any():
         ground = surfaces == np.bincount(surfaces[sound]).argmax()
     if below:
-        deeper = sound & (heights < _beside(heights, ground) - ROOM)
-        if np.count_nonzero(deeper) > LEFT * np.count_nonzero(sound):
+        deeper = sound & (heights < _beside(heights, ground) - settings.room_m)
+        if np.count_nonzero(deeper) > settings.room_share * np.count_nonzero(sound):
             ground = deeper
     beside = _beside(heights, ground)
     return np.where(sound, np.fmin(heights, beside), beside)
@@ -157,18 +136,18 @@ def surfaces_of(surface: np.ndarray, step: float) -> np.ndarray:
     return np.where(np.isfinite(surface), labels.reshape(surface.shape), 0)
 
 
-def _is_smooth(surface: np.ndarray) -> np.ndarray:
-    """Tell the cells at which the surface bends little; what is not known does not bend."""
+def _is_smooth(surface: np.ndarray, bend_m: float) -> np.ndarray:
+    """Return the cells at which the surface bends little; where it is unknown it counts as straight."""
     smooth = np.ones(surface.shape, bool)
     for axis in (0, 1):
         bend = np.diff(surface, 2, axis=axis)
         inner = (slice(1, -1), slice(None)) if axis == 0 else (slice(None), slice(1, -1))
-        smooth[inner] &= ~(np.abs(bend) > SMOOTH)
+        smooth[inner] &= ~(np.abs(bend) > bend_m)
     return smooth
 
 
 def wide_parts(labels: np.ndarray, smooth: np.ndarray, patch: int) -> np.ndarray:
-    """Tell the cells of surfaces that hold a smooth square of `patch` cells."""
+    """Return the cells of surfaces that hold a smooth square of `patch` cells."""
     low = ndimage.minimum_filter(np.where(smooth, labels, 0), patch, mode="constant", cval=0)
     high = ndimage.maximum_filter(labels, patch, mode="constant", cval=0)
     wide = np.unique(labels[(low == high) & (low > 0)])

@@ -7,7 +7,8 @@ from typing import Optional
 import numpy as np
 
 from ...clouds.cloud import Cloud, names_of
-from ...clouds.thinning.tiles import LATTICE, Tile, TileStore
+from ...clouds.tiles.lattice import LATTICE
+from ...clouds.tiles.tile_store import Tile, TileStore
 from ...errors import InputError
 from ...progress import Progress
 from .grid import Grid
@@ -46,13 +47,13 @@ class HeightRange:
 
 def cut(
     store: TileStore,
-    keys: list,
+    keys: list[tuple[int, int]],
     heights: HeightRange,
     cloud: Cloud,
     progress: Progress,
     grid: Optional[Grid] = None,
     ground: Optional[np.ndarray] = None,
-) -> list:
+) -> list[tuple[int, int]]:
     """Leave out the points of a site that lie outside a range of heights.
 
     Parameters
@@ -81,7 +82,7 @@ def cut(
     Raises
     ------
     InputError
-        If none does.
+        If no point is left.
     """
     left, reach = [], []
     for key, tile in store.tiles(sorted(keys), progress, "Cutting by height"):
@@ -102,7 +103,7 @@ def cut(
     return left
 
 
-def _pixels(tile: Tile, grid: Grid) -> tuple:
+def _pixels(tile: Tile, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Return the row and the column of each point, rows counted from the bottom."""
     column, row = ((tile.xyz[:, i] + tile.corner[i] - grid.corner[i]) // grid.step for i in (0, 1))
     return row, column

@@ -5,7 +5,9 @@ from typing import Optional
 
 import numpy as np
 
-from .face_fit import WIDE, Curve, Fit, first_arc, first_line, fit_face
+from ...geometry.circles import arc_through
+from ...geometry.curves import Curve, line_through
+from .face_fit import WIDE, Fit, fit_face
 from .face_points import FacePoints
 from .ridges import LEVELS, Ridges
 
@@ -83,22 +85,22 @@ def fit_side(members: np.ndarray, curved: bool, ridges: Ridges, points: FacePoin
     points : FacePoints
     """
     ridge = ridges.xy[members % len(ridges.xy)]
-    curve = first_arc(ridge) if curved else first_line(ridge)
+    curve = arc_through(ridge) if curved else line_through(ridge)
     start, stop = curve.ends(ridge)
     if stop <= start:
         return None
     rows = points.near(ridge)
-    place, offset = curve.place(points.xy[rows]), curve.offset(points.xy[rows])
+    place, offset = curve.station(points.xy[rows]), curve.offset(points.xy[rows])
     rows = rows[(place > start - OVERHANG) & (place < stop + OVERHANG) & (np.abs(offset) < 2 * OVERHANG)]
     xy, level, count = points.xy[rows], points.level[rows], points.count[rows]
-    place = curve.place(xy)
+    place = curve.station(xy)
     own = (place >= start) & (place <= stop)
     fit = fit_face(curve, xy[own], _area(place[own], level[own], count[own]))
     if fit is None:
         return None
     near = np.abs(fit.curve.offset(xy)) <= fit.reach
     fewest = min(LEVELS, points.levels)
-    start, stop = _reach(fit.curve.place(xy[near]), level[near], fewest, *fit.curve.ends(ridge))
+    start, stop = _reach(fit.curve.station(xy[near]), level[near], fewest, *fit.curve.ends(ridge))
     if stop - start < SHORTEST or _is_foliage(fit, xy[own]):
         return None
     return Side(fit.curve, members, ridge, start, stop, fit.rms)

@@ -66,13 +66,13 @@ def _ends(sides: list, ring: RingSides) -> tuple:
         corner = _corner(side, sides[following], _between(side, sides[following], ring), ring.step)
         joints.append(corner is not None)
         if corner is not None:
-            stops[k] = float(side.curve.place(corner))
-            starts[following] = float(sides[following].curve.place(corner))
+            stops[k] = float(side.curve.station(corner))
+            starts[following] = float(sides[following].curve.station(corner))
         elif _goes_on(side, sides[following]):
             # Neither reaches beside the other.
             middle = (side.ridge[-1] + sides[following].ridge[0]) / 2
-            stops[k] = min(stops[k], float(side.curve.place(middle)))
-            starts[following] = max(starts[following], float(sides[following].curve.place(middle)))
+            stops[k] = min(stops[k], float(side.curve.station(middle)))
+            starts[following] = max(starts[following], float(sides[following].curve.station(middle)))
     return list(zip(starts, stops)), joints
 
 

@@ -10,9 +10,10 @@ import numpy as np
 from numba import njit
 from scipy import ndimage
 
-from ...clouds.thinning.tiles import LATTICE, Tile, to_lattice
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.tile_store import Tile
 from ...progress import Progress
-from ..density.density_image import WINDOW, DensityImage, SortedPoints
+from ..density.density_image import DensityImage, SortedPoints
 
 REACH = 0.3
 """Points up to this far (m) from a wall pixel may belong to its faces."""
@@ -115,7 +116,7 @@ def gather_face_points(
 def _window(image: DensityImage, walls: np.ndarray) -> tuple:
     """Return the lowest and the highest height above the ground at which faces are looked for, metres."""
     if np.mean(image.occupied[walls] > 0) >= SEEN:
-        return WINDOW
+        return image.window.lowest_m, image.window.highest_m
     low, high = (band[walls] - image.ground[walls] for band in (image.base, image.top))
     # The bands are rounded to float32.
     return float(np.nanmin(low)) - ROUNDING, float(np.nanpercentile(high, 99)) + ROUNDING

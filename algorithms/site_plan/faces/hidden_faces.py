@@ -78,7 +78,7 @@ def _share(side: Side, others: dict) -> float:
 
 def _common(side: Side, other: Side) -> np.ndarray:
     """Return the ridge points of a side that lie on the face of another that faces the other way."""
-    place = other.curve.place(side.ridge)
+    place = other.curve.station(side.ridge)
     opposite = (side.curve.heading(side.ridge) * other.curve.heading(side.ridge)).sum(axis=1) <= OPPOSITE
     along = (place >= other.start - SAME) & (place <= other.stop + SAME)
     return np.flatnonzero(opposite & along & (np.abs(other.curve.offset(side.ridge)) <= SAME))
@@ -99,5 +99,5 @@ def _behind(back: Side, front: Side) -> Side:
     depth = max(2 * max(back.rms, front.rms), LEAST_DEPTH)
     ends = front.curve.offset(back.curve.at(np.array([back.start, back.stop])))
     curve = back.curve.moved(-depth - max(float(np.max(-ends)), 0.0))
-    start, stop = curve.place(back.curve.at(np.array([back.start, back.stop])))
+    start, stop = curve.station(back.curve.at(np.array([back.start, back.stop])))
     return replace(back, curve=curve, start=float(start), stop=float(stop), back=True)

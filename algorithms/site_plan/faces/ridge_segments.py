@@ -10,6 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
+from ...geometry.robust import sigma_of_residuals
+
 STRAIGHT_COST, CURVED_COST, OMITTED_COST = 10.0, 25.0, 6.0
 """In squares of standard deviations: about 3 sigma for each point that a piece needs at least."""
 
@@ -70,7 +72,7 @@ def scatter_of(points: np.ndarray, span: int = 5) -> float:
     offset = points[span:-span] - middle
     length = np.hypot(*chord.T)
     across = np.abs(chord[:, 0] * offset[:, 1] - chord[:, 1] * offset[:, 0]) / np.maximum(length, 1e-9)
-    return float(np.clip(1.4826 * np.median(across) / np.sqrt(1.5), *SIGMA))
+    return float(np.clip(sigma_of_residuals(across) / np.sqrt(1.5), *SIGMA))
 
 
 def _moments(points: np.ndarray, directions: np.ndarray) -> np.ndarray:

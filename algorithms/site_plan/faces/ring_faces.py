@@ -5,8 +5,8 @@ from typing import Callable, Optional
 
 import numpy as np
 
+from ...geometry.curves import Arc
 from .face import Side, fit_side
-from .face_fit import Arc
 from .face_points import FacePoints
 from .ridge_segments import cut_into_pieces, scatter_of
 from .ridges import Places, Ridges, find_ridges, places_along

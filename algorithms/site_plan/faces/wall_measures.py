@@ -7,8 +7,9 @@ import numpy as np
 from shapely.geometry import Point, Polygon
 from shapely.prepared import prep
 
+from ...geometry.azimuths import mean_line_azimuth
+from ...geometry.curves import Arc
 from .face import Side
-from .face_fit import Arc
 
 STEP = 0.05
 """Distance (m) of the places at which the thickness is taken."""
@@ -106,7 +107,7 @@ def _thicknesses(sides: list, outline: Polygon) -> np.ndarray:
 def _distance_behind(xy: np.ndarray, heading: np.ndarray, other: Side) -> np.ndarray:
     """Return how far a face is behind places of another; infinite where it is not, or not parallel."""
     opposite = (heading * other.curve.heading(xy)).sum(axis=1) <= PARALLEL
-    place, distance = other.curve.place(xy), other.curve.offset(xy)
+    place, distance = other.curve.station(xy), other.curve.offset(xy)
     behind = opposite & (distance > 0) & (place >= other.start) & (place <= other.stop)
     return np.where(behind, distance, np.inf)
 
@@ -123,7 +124,7 @@ def _radius(sides: list, lengths: np.ndarray) -> Optional[float]:
         return None
     means = [
         np.average([arc.radius for arc, _ in part], weights=[length for _, length in part])
-        for part in ([item for item in same if item[0].turn == turn] for turn in (1, -1))
+        for part in ([item for item in same if item[0].sense == turn] for turn in (1, -1))
         if part
     ]
     return float(np.mean(means))
@@ -131,13 +132,9 @@ def _radius(sides: list, lengths: np.ndarray) -> Optional[float]:
 
 def _azimuth(sides: list, lengths: np.ndarray) -> Optional[float]:
     """Return the mean direction of the straight sides, by their squared lengths: ends hardly count."""
-    lines = [
-        (side.curve.direction, length)
+    straight = [
+        (side.curve.direction, length**2)
         for side, length in zip(sides, lengths)
         if not isinstance(side.curve, Arc)
     ]
-    if not lines:
-        return None
-    # The angle is doubled, for a wall runs both ways.
-    double = sum(length**2 * complex(*direction) ** 2 for direction, length in lines)
-    return float((90.0 - np.degrees(np.angle(double)) / 2) % 180.0)
+    return mean_line_azimuth(*zip(*straight)) if straight else None

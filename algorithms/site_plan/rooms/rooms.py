@@ -15,8 +15,8 @@ from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import polygonize
 
-from ...geometry.outline_triangles import Mesh, triangulate
-from ..density.grid import label_linked
+from ...geometry.linked_parts import label_linked
+from ...geometry.outline_triangles import OutlineMesh, triangulate_outlines
 from .doors import FLAT, trim
 
 DOOR_WIDTH = 1.3
@@ -85,7 +85,7 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     outlines = list(outlines)
     if not outlines:
         return ()
-    mesh = triangulate(outlines, margin=max(2 * door_width, 1.0))
+    mesh = triangulate_outlines(outlines, margin=max(2 * door_width, 1.0))
     spaces = _spaces(mesh, door_width)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
     found = [(_outline(mesh, spaces, number), number) for number in np.flatnonzero(spaces.is_room)]
@@ -148,7 +148,7 @@ class _Spaces:
     gap_ends: np.ndarray
 
 
-def _spaces(mesh: Mesh, door_width: float) -> _Spaces:
+def _spaces(mesh: OutlineMesh, door_width: float) -> _Spaces:
     """Join all that hangs together over wide places, and then over narrow ones that are no doors."""
     sides = mesh.sides(~mesh.wall)
     wide = sides.lengths > door_width
@@ -173,7 +173,7 @@ def _spaces(mesh: Mesh, door_width: float) -> _Spaces:
     return _Spaces(label, merged.area, is_room, is_outside, gaps[between], ends[between])
 
 
-def _at_narrowest(mesh: Mesh, gap_ends: np.ndarray) -> Mesh:
+def _at_narrowest(mesh: OutlineMesh, gap_ends: np.ndarray) -> OutlineMesh:
     """Slide the ends of gaps along straight faces to where the gap is narrowest: samples lie anywhere."""
     points, pieces = mesh.points.copy(), mesh.outline_pieces()
     for gap in gap_ends:
@@ -227,7 +227,7 @@ def _count_openings(spaces: _Spaces, number: int) -> int:
     return sum(number in pair and bool(real[pair].all()) for pair in spaces.gaps)
 
 
-def _outline(mesh: Mesh, spaces: _Spaces, number: int) -> Polygon:
+def _outline(mesh: OutlineMesh, spaces: _Spaces, number: int) -> Polygon:
     """Return the outline of a space, from face to face."""
     inside = np.flatnonzero(spaces.label == number)
     neighbours = mesh.neighbours[inside]

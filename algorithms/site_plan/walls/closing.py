@@ -11,9 +11,8 @@ def close_gaps(
 ) -> np.ndarray:
     """Close gaps up to a width between faces, by a round structuring element, and fill holes.
 
-    Where the heights are known, ground that was seen stays open, so that a door is not walled up;
-    and a hole in which no ground was seen is filled up to twice the gap, as between the faces of a
-    thick wall.
+    Where the heights are known, ground that was seen stays open, so that a door is not walled up. A hole in
+    which no ground was seen is filled up to twice the gap, as between the faces of a thick wall.
 
     Parameters
     ----------
@@ -58,7 +57,7 @@ def _fill_holes(walls: np.ndarray, width: float, proof: np.ndarray) -> np.ndarra
 
 
 def bridge_corners(walls: np.ndarray, density: np.ndarray) -> np.ndarray:
-    """Fill the denser pixel beside each pair that touches at a corner only, until none is left.
+    """Fill the denser pixel beside each pair that touches at a corner only, until no such pair is left.
 
     A slanting wall one pixel wide would fall apart into pixels otherwise.
     """
@@ -73,7 +72,13 @@ def bridge_corners(walls: np.ndarray, density: np.ndarray) -> np.ndarray:
         _fill_denser(walls, density, rising, (0, 0), (1, 1))
 
 
-def _fill_denser(walls, density, blocks, first: tuple, second: tuple) -> None:
+def _fill_denser(
+    walls: np.ndarray,
+    density: np.ndarray,
+    blocks: np.ndarray,
+    first: tuple[int, int],
+    second: tuple[int, int],
+) -> None:
     one, other = blocks + first, blocks + second
     denser = density[tuple(other.T)] > density[tuple(one.T)]
     walls[tuple(np.where(denser[:, None], other, one).T)] = True

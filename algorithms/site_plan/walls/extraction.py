@@ -1,7 +1,7 @@
 """Wall pixels of a density image: thresholds, criteria, combination, closing (section 2.2)."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
@@ -11,18 +11,13 @@ from ...progress import Progress
 from .closing import bridge_corners, close_gaps
 from .height_gate import Gate, Heights, make_gate
 from .regions import Criteria, Selection, select_regions
+from .settings import ClosingSettings, RegionSettings, WallSettings
 from .thresholds import Thresholds, choose_thresholds
-
-CLOSING_SEEN = 0.8
-"""Gap (m) closed by default where ground that was seen stays open: a thick wall between its faces."""
-
-CLOSING_BLIND = 0.4
-"""Gap (m) closed by default where only the density is known: narrower than any passage."""
 
 
 @dataclass(frozen=True)
 class WallParameters:
-    """The five parameters of the paper, the gate, and the advanced two. None derives a value.
+    """The five parameters of the paper, the height gate, and the advanced two. None derives a value.
 
     Attributes
     ----------
@@ -35,8 +30,7 @@ class WallParameters:
     min_elongation : float
         Smallest major / minor axis of the best-fit ellipse of a straight wall.
     closing : float or None
-        Widest gap that is closed, metres; derived: `CLOSING_SEEN` where the heights tell where the
-        ground was seen, `CLOSING_BLIND` where they do not.
+        Widest gap that is closed, metres; derived: see `ClosingSettings`.
     min_height : float
         Least occupied height of a wall pixel, metres; 0 gives the paper's plain chain.
     threshold_steps : int
@@ -57,11 +51,11 @@ class WallParameters:
         min_area = pixel_size * 1.0 if self.min_area is None else self.min_area
         return Criteria(min_area, self.max_fill, self.min_elongation)
 
-    def gap(self, gate: Gate) -> float:
-        """Return the widest gap to close behind a gate, in metres."""
+    def gap(self, gate: Gate, settings: ClosingSettings = ClosingSettings()) -> float:
+        """Return the widest gap to close behind a height gate, in metres."""
         if self.closing is not None:
             return self.closing
-        return CLOSING_BLIND if gate.open_ground is None else CLOSING_SEEN
+        return settings.blind_m if gate.open_ground is None else settings.seen_m
 
 
 @dataclass(frozen=True)
@@ -74,7 +68,7 @@ class WallImage:
     votes : ndarray of uint8, shape (rows, columns)
         Number of thresholds at which the pixel belonged to a wall region, before closing.
     gated : ndarray of float, shape (rows, columns)
-        The density that the thresholds were applied to, 0 where there is none.
+        The density that the thresholds were applied to; 0 where no wall may stand.
     thresholds : Thresholds
     gap : float
         Widest gap that was closed, metres.
@@ -82,6 +76,7 @@ class WallImage:
     parameters : WallParameters
         As they were given.
     warnings : tuple of str
+    settings : WallSettings
     """
 
     walls: np.ndarray
@@ -91,7 +86,8 @@ class WallImage:
     gap: float
     criteria: Criteria
     parameters: WallParameters
-    warnings: tuple
+    warnings: tuple[str, ...]
+    settings: WallSettings = field(default_factory=WallSettings)
 
 
 def extract_wall_pixels(
@@ -100,13 +96,14 @@ def extract_wall_pixels(
     pixel_size: float,
     parameters: WallParameters,
     progress: Progress = Progress(),
+    settings: WallSettings = WallSettings(),
 ) -> WallImage:
     """Find the wall pixels of a density image.
 
     Parameters
     ----------
     density : ndarray of float, shape (rows, columns)
-        Nan where there is none.
+        Nan where no point contributes.
     heights : Heights or None
         None if only the density is known.
     pixel_size : float
@@ -115,13 +112,14 @@ def extract_wall_pixels(
         What counts as wall.
     progress : Progress
         Reports and cancels.
+    settings : WallSettings
 
     Raises
     ------
     NothingFoundError
         If no region is left; the message says what removed them.
     """
-    gate = make_gate(density, heights, parameters.min_height, pixel_size)
+    gate = make_gate(density, heights, parameters.min_height, pixel_size, settings.height_gate)
     thresholds = choose_thresholds(
         density,
         gate.flat,
@@ -134,7 +132,7 @@ def extract_wall_pixels(
     criteria = parameters.criteria(pixel_size)
     votes = np.zeros(gated.shape, np.uint8)
     regions = too_small = wrong_shape = 0
-    steps = select_by_threshold(gated, thresholds, pixel_size, criteria, gate.column)
+    steps = select_by_threshold(gated, thresholds, pixel_size, criteria, gate.column, settings.regions)
     for i, value in enumerate(thresholds.values):
         progress.update(i / len(thresholds.values), f"Threshold {value:.2f}")
         selection = next(steps)
@@ -145,10 +143,11 @@ def extract_wall_pixels(
     if not votes.any():
         removed = (regions, too_small, wrong_shape)
         raise NothingFoundError(_what_removed(gate, parameters, criteria, thresholds, removed))
-    gap = parameters.gap(gate)
+    gap = parameters.gap(gate, settings.closing)
     walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
     walls = bridge_corners(walls, gated)
-    return WallImage(walls, votes, gated, thresholds, gap, criteria, parameters, gate.warnings)
+    found = walls, votes, gated, thresholds, gap, criteria
+    return WallImage(*found, parameters, gate.warnings, settings)
 
 
 def select_by_threshold(
@@ -157,6 +156,7 @@ def select_by_threshold(
     pixel_size: float,
     criteria: Criteria,
     column: Optional[np.ndarray],
+    settings: RegionSettings = RegionSettings(),
 ) -> Iterator[Selection]:
     """Yield what the criteria keep at each threshold, the lowest first.
 
@@ -170,10 +170,11 @@ def select_by_threshold(
     criteria : Criteria
     column : ndarray of bool, shape (rows, columns), optional
         Pixels filled to a column's height.
+    settings : RegionSettings
     """
     for value in thresholds.values:
         binary = (gated > 0) & (gated >= value * thresholds.deviation)
-        yield select_regions(binary, pixel_size, criteria, column)
+        yield select_regions(binary, pixel_size, criteria, column, settings)
 
 
 def _what_removed(
@@ -181,7 +182,7 @@ def _what_removed(
     parameters: WallParameters,
     criteria: Criteria,
     thresholds: Thresholds,
-    removed: tuple,
+    removed: tuple[int, int, int],
 ) -> str:
     regions, small, shape = removed
     if not regions and gate.tall.any():

@@ -7,11 +7,7 @@ from scipy import ndimage
 from shapely.geometry import Polygon, shape
 from shapely.prepared import prep
 
-TOLERANCE = 0.5
-"""How far an outline may leave the middles of its steps when they are straightened, in pixels."""
-
-CORNER = 3
-"""A corner of an outline is real, not a step, if both its sides are at least this many pixels long."""
+from .settings import OutlineSettings
 
 
 def label_walls(walls: np.ndarray) -> np.ndarray:
@@ -19,7 +15,9 @@ def label_walls(walls: np.ndarray) -> np.ndarray:
     return ndimage.label(walls)[0].astype(np.int32)
 
 
-def trace_outlines(labels: np.ndarray, transform: Affine) -> dict:
+def trace_outlines(
+    labels: np.ndarray, transform: Affine, settings: OutlineSettings = OutlineSettings()
+) -> dict[int, Polygon]:
     """Trace the pixel edges of each wall and straighten their steps.
 
     A step is straightened as long as the polygons stay valid and do not overlap.
@@ -27,9 +25,10 @@ def trace_outlines(labels: np.ndarray, transform: Affine) -> dict:
     Parameters
     ----------
     labels : ndarray of int32, shape (rows, columns)
-        0 is no wall.
+        0 outside walls.
     transform : Affine
         From (column, row) to world coordinates.
+    settings : OutlineSettings
 
     Returns
     -------
@@ -40,33 +39,36 @@ def trace_outlines(labels: np.ndarray, transform: Affine) -> dict:
     local = Affine(size, 0, 0, 0, -size, 0)
     traced = shapes(labels, mask=labels > 0, connectivity=4, transform=local)
     raw = {int(value): shape(outline) for outline, value in traced}
-    plain = {i: _straightened(polygon, size) for i, polygon in raw.items()}
+    plain = {i: _straightened(polygon, size, settings) for i, polygon in raw.items()}
     outlines = _without_overlaps(plain, raw)
     return {i: _moved(outlines[i], transform.c, transform.f) for i in sorted(outlines)}
 
 
-def _straightened(polygon: Polygon, size: float) -> Polygon:
-    rings = [_middles(np.asarray(ring.coords)[:-1], size) for ring in (polygon.exterior, *polygon.interiors)]
-    return Polygon(rings[0], rings[1:]).simplify(TOLERANCE * size)
+def _straightened(polygon: Polygon, size: float, settings: OutlineSettings) -> Polygon:
+    shortest = (settings.corner_px - 0.5) * size
+    outer, *holes = (
+        _middles(np.asarray(ring.coords)[:-1], shortest) for ring in (polygon.exterior, *polygon.interiors)
+    )
+    return Polygon(outer, holes).simplify(settings.tolerance_px * size)
 
 
-def _middles(corners: np.ndarray, size: float) -> np.ndarray:
-    """Replace the steps of a ring by the middles of their sides; real corners stay.
+def _middles(corners: np.ndarray, shortest: float) -> np.ndarray:
+    """Replace the steps of a ring by the middles of their sides, but keep corners between longer sides.
 
     The outer corners of the steps would lie outside the wall by up to 0.7 pixels, the inner ones
     inside; the middles are unbiased.
     """
     sides = np.roll(corners, -1, axis=0) - corners
-    long = np.abs(sides).sum(axis=1) >= (CORNER - 0.5) * size
+    long = np.abs(sides).sum(axis=1) >= shortest
     real = long & np.roll(long, 1)
-    places = np.empty((2 * len(corners), 2))
-    places[::2], places[1::2] = corners, corners + sides / 2
-    wanted = np.empty(len(places), bool)
+    points = np.empty((2 * len(corners), 2))
+    points[::2], points[1::2] = corners, corners + sides / 2
+    wanted = np.empty(len(points), bool)
     wanted[::2], wanted[1::2] = real, ~(real & np.roll(real, -1))
-    return places[wanted]
+    return points[wanted]
 
 
-def _without_overlaps(plain: dict, raw: dict) -> dict:
+def _without_overlaps(plain: dict[int, Polygon], raw: dict[int, Polygon]) -> dict[int, Polygon]:
     """Take the raw outline wherever the straightened ones would overlap or be invalid."""
     chosen = {i: plain[i] if _sound(plain[i]) else raw[i] for i in raw}
     while True:
@@ -80,10 +82,10 @@ def _sound(polygon: Polygon) -> bool:
     return polygon.is_valid and polygon.geom_type == "Polygon" and polygon.area > 0
 
 
-def overlaps(polygons: dict) -> list:
+def overlaps(polygons: dict[int, Polygon]) -> list[tuple[int, int]]:
     """Return the pairs of numbers of polygons whose interiors meet."""
     numbers, geometries = list(polygons), list(polygons.values())
-    # Boxes are asked first: shapely 1.8 and 2 answer a tree's query with different things.
+    # Boxes come first: shapely 1.8 and 2 answer the query of a tree differently.
     boxes = np.array([geometry.bounds for geometry in geometries]).reshape(-1, 4)
     order = np.argsort(boxes[:, 0])
     pairs = []

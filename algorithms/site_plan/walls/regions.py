@@ -1,19 +1,23 @@
 """The three criteria by which a connected region counts as wall (Mueller et al. 2012, section 2.2)."""
 
 from dataclasses import dataclass
-from typing import Optional
+from typing import Any, Optional, Protocol
 
 import numpy as np
 from skimage.measure import label, regionprops
 
-COLUMN_WIDTH = 2.0
-"""Widest free column or pier in metres."""
+from .settings import RegionSettings
 
-POST_WIDTH = 0.5
-"""A column up to this width in metres may have no pixels inside its outline."""
 
-HOLLOW = 0.8
-"""Largest share of its convex hull that the outline of a column covers."""
+class Region(Protocol):
+    """A connected region, as `skimage.measure.regionprops` describes it."""
+
+    area: float
+    area_convex: float
+    image: np.ndarray
+    slice: tuple[Any, ...]
+    coords: np.ndarray
+    inertia_tensor_eigvals: Any
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,11 @@ class Selection:
 
 
 def select_regions(
-    binary: np.ndarray, pixel_size: float, criteria: Criteria, column: Optional[np.ndarray] = None
+    binary: np.ndarray,
+    pixel_size: float,
+    criteria: Criteria,
+    column: Optional[np.ndarray] = None,
+    settings: RegionSettings = RegionSettings(),
 ) -> Selection:
     """Keep the connected regions of a binary image that are large enough and shaped like a wall.
 
@@ -73,6 +81,7 @@ def select_regions(
         Limits.
     column : ndarray of bool, shape (rows, columns), optional
         Pixels filled to a column's height; without it no column is kept.
+    settings : RegionSettings
     """
     labels, count = label(binary, connectivity=2, return_num=True)
     area = np.bincount(labels.ravel(), minlength=count + 1) * pixel_size**2
@@ -81,15 +90,16 @@ def select_regions(
     passes = np.zeros(count + 1, bool)
     for region in regionprops(np.where(large[labels], labels, 0)):
         high = column is not None and column[region.slice][region.image].mean() > 0.5
-        passes[region.label] = bool(wall_shape(region, criteria)) or (high and _is_column(region, pixel_size))
+        is_column = high and _is_column(region, pixel_size, settings)
+        passes[region.label] = bool(wall_shape(region, criteria)) or is_column
     small, misshapen = ~large, large & ~passes
     small[0] = False
     counts = (count, int(small.sum()), int(misshapen.sum()))
     return Selection(passes[labels], small[labels], misshapen[labels], *counts)
 
 
-def wall_shape(region, criteria: Criteria) -> Optional[str]:
-    """Tell by which of the two shape criteria a skimage region is a wall: 'straight', 'curved' or None."""
+def wall_shape(region: Region, criteria: Criteria) -> Optional[str]:
+    """Return the shape criterion by which a region is a wall: 'straight', 'curved' or None."""
     major, minor = region.inertia_tensor_eigvals
     if major >= criteria.min_elongation**2 * minor and major > 0:
         return "straight"
@@ -97,13 +107,13 @@ def wall_shape(region, criteria: Criteria) -> Optional[str]:
     return "curved" if region.area <= criteria.max_fill * rows * columns else None
 
 
-def width_of(region, pixel_size: float) -> float:
+def width_of(region: Region, pixel_size: float) -> float:
     """Return the longer side of a region's bounding box in metres."""
     return max(region.image.shape) * pixel_size
 
 
-def _is_column(region, pixel_size: float) -> bool:
-    """Tell the outline of a column, all or most of it seen, from a bush that is full of points."""
+def _is_column(region: Region, pixel_size: float, settings: RegionSettings) -> bool:
+    """Return whether a region is the outline of a column, most of it seen; a bush is full of points."""
     width = width_of(region, pixel_size)
-    hollow = width <= POST_WIDTH or region.area <= HOLLOW * region.area_convex
-    return width <= COLUMN_WIDTH and hollow
+    hollow = width <= settings.post_width_m or region.area <= settings.hollow_share * region.area_convex
+    return width <= settings.column_width_m and hollow

@@ -26,7 +26,7 @@ class Thresholds:
         That standard deviation, in points per pixel, over the pixels that hold density.
     """
 
-    values: tuple
+    values: tuple[float, ...]
     deviation: float
 
 
@@ -43,11 +43,11 @@ def choose_thresholds(
     Parameters
     ----------
     density : ndarray of float, shape (rows, columns)
-        Density image; nan where there is none.
+        Density image; nan where no point contributes.
     flat : ndarray of bool, shape (rows, columns)
         Pixels known to show horizontal surfaces only.
     tall : ndarray of bool, shape (rows, columns)
-        Pixels that may be wall. Where flat pixels are among them, density alone has to tell them apart.
+        Pixels that may be wall. Where flat pixels are among them, density alone has to separate them.
     lowest, highest : float or None
         In standard deviations of the density image. None derives the lowest as `surface_level` does,
         the highest as the median density of the tall pixels above the lowest.
@@ -80,7 +80,7 @@ class Rule(Enum):
     QUARTILE = "the lower quartile of the density, as nothing is known to be flat"
     SURFACES = "the usual density of the pixels that show horizontal surfaces only"
     OTSU = "Otsu's threshold of the logarithm of the density"
-    PARTED = "the density that parts horizontal surfaces best from the rest"
+    PARTED = "the density that best separates horizontal surfaces from the rest"
 
 
 def surface_rule(flat: np.ndarray, tall: np.ndarray) -> Rule:
@@ -96,7 +96,7 @@ def surface_level(density: np.ndarray, flat: np.ndarray, tall: np.ndarray) -> fl
     """Return the density above which a pixel shows more than horizontal surfaces.
 
     If flat pixels are kept out of the tall ones by their heights, it is their usual density. If
-    they are not, it is the density that parts the flat pixels best from the others. If nothing is
+    they are not, it is the density that best separates the flat pixels from the others. If nothing is
     known to be flat, or all may be, it is the lower quartile, or Otsu's threshold of the logarithm.
 
     Parameters

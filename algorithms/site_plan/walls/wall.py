@@ -1,4 +1,4 @@
-"""Walls as features: an outline each, and what the rasters tell about it."""
+"""Walls as features: an outline each, and the attributes that follow from the rasters."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -8,10 +8,12 @@ from affine import Affine
 from shapely.geometry import Polygon
 from skimage.measure import regionprops
 
+from ...geometry.azimuths import line_azimuth
 from .extraction import WallImage
 from .height_gate import Heights
 from .pixel_outlines import label_walls, trace_outlines
-from .regions import COLUMN_WIDTH, wall_shape, width_of
+from .regions import Region, wall_shape, width_of
+from .settings import WallHeightSettings
 
 
 @dataclass(frozen=True)
@@ -62,21 +64,30 @@ def describe_walls(
     image: WallImage,
     heights: Optional[Heights],
     transform: Affine,
-) -> tuple:
-    """Turn wall pixels into walls.
+) -> tuple[Wall, ...]:
+    """Make walls of wall pixels.
+
+    Parameters
+    ----------
+    image : WallImage
+        With the settings of its extraction.
+    heights : Heights or None
+        None if only the density is known.
+    transform : Affine
+        From (column, row) to world coordinates.
 
     Returns
     -------
     tuple of Wall
     """
     labels = label_walls(image.walls)
-    outlines = trace_outlines(labels, transform)
+    outlines = trace_outlines(labels, transform, image.settings.outlines)
     walls = []
     for region in regionprops(labels):
         # Closing adds pixels without votes or density; every wall holds some that have both.
         found = image.votes[region.slice][region.image]
         density = image.gated[region.slice][region.image]
-        z_base, z_top = _reach(heights, region)
+        z_base, z_top = _reach(heights, region, image.settings.heights)
         kind = _kind(region, image, transform.a)
         walls.append(
             Wall(
@@ -95,9 +106,9 @@ def describe_walls(
     return tuple(walls)
 
 
-def _kind(region, image: WallImage, pixel_size: float) -> str:
+def _kind(region: Region, image: WallImage, pixel_size: float) -> str:
     """Name the shape that a wall has after closing."""
-    compact = "column" if width_of(region, pixel_size) <= COLUMN_WIDTH else "curved"
+    compact = "column" if width_of(region, pixel_size) <= image.settings.regions.column_width_m else "curved"
     return wall_shape(region, image.criteria) or compact
 
 
@@ -112,7 +123,10 @@ def band_length(outline: Polygon) -> float:
     return (half + float(np.sqrt(max(half**2 - 4 * outline.area, 0.0)))) / 2
 
 
-def _reach(heights: Optional[Heights], region) -> tuple:
+def _reach(
+    heights: Optional[Heights], region: Region, settings: WallHeightSettings
+) -> tuple[Optional[float], Optional[float]]:
+    """Return the base and the top of a wall, metres."""
     if heights is None:
         return None, None
     base = heights.base[region.slice][region.image]
@@ -120,10 +134,10 @@ def _reach(heights: Optional[Heights], region) -> tuple:
     held = np.isfinite(base)
     if not held.any():
         return None, None
-    return float(np.percentile(base[held], 10)), float(np.percentile(top[held], 90))
+    low, high = settings.base_percentile, settings.top_percentile
+    return float(np.percentile(base[held], low)), float(np.percentile(top[held], high))
 
 
-def _azimuth(region) -> float:
+def _azimuth(region: Region) -> float:
     south, east = region.coords.T
-    axes = np.linalg.eigh(np.cov(east, -south))[1]
-    return float(np.degrees(np.arctan2(*axes[:, -1])) % 180.0)
+    return line_azimuth(np.linalg.eigh(np.cov(east, -south))[1][:, -1])

@@ -3,10 +3,11 @@
 import laspy
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.cloud import READERS, open_cloud
+from ichnograph.algorithms.clouds.cloud import clouds_in, open_cloud
+from ichnograph.algorithms.clouds.formats import FORMATS
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from rasterio.crs import CRS
 
@@ -63,9 +64,16 @@ def test_cancelling_stops(tmp_path):
         list(cloud.chunks(Progress(is_cancelled=lambda: True)))
 
 
-@pytest.mark.parametrize("extension", READERS)
+@pytest.mark.parametrize("extension", [item.extension for item in FORMATS])
 def test_extensions_are_known_in_any_case(tmp_path, extension):
-    writers = {".las": las, ".laz": las, ".ptx": write_ptx, ".ply": write_ply, ".e57": write_e57}
+    writers = {
+        ".las": las,
+        ".laz": las,
+        ".copc.laz": las,
+        ".ptx": write_ptx,
+        ".ply": write_ply,
+        ".e57": write_e57,
+    }
     path = writers.get(extension, text)(tmp_path / f"scan{extension}", FIRST)
     shouting = path.rename(tmp_path / f"SCAN{extension.upper()}")
     assert sum(len(chunk.xyz) for chunk in open_cloud([shouting]).chunks()) == 2
@@ -116,7 +124,7 @@ def test_a_missing_file_is_named(tmp_path):
 
 def test_a_folder_is_no_file(tmp_path):
     (tmp_path / "scan.las").mkdir()
-    with pytest.raises(InputError, match=r"scan\.las does not exist or is no file"):
+    with pytest.raises(InputError, match=r"scan\.las does not exist or is not a file"):
         open_cloud([tmp_path / "scan.las"])
 
 
@@ -129,7 +137,9 @@ def test_an_empty_file_among_others_is_refused(tmp_path, name):
 
 @pytest.mark.parametrize("name", ["scan.doc", "scan", "scan.e57x"])
 def test_an_unknown_extension_lists_the_known_ones(tmp_path, name):
-    with pytest.raises(InputError, match=r"convert it to one of \.las, \.laz, \.xyz"):
+    with pytest.raises(
+        InputError, match=r"unknown extension; convert it to LAZ, LAS, COPC, E57, .* or text \(XYZ,"
+    ):
         open_cloud([tmp_path / name])
 
 
@@ -140,7 +150,7 @@ def test_no_file_at_all_is_refused():
 
 def test_a_file_given_twice_is_refused(tmp_path):
     path = text(tmp_path / "b.xyz", SECOND)
-    with pytest.raises(InputError, match=r"b\.xyz is given twice"):
+    with pytest.raises(InputError, match=r"b\.xyz is listed twice"):
         open_cloud([path, str(path)])
 
 
@@ -151,3 +161,27 @@ def test_a_las_named_txt_and_a_text_named_las_are_refused(tmp_path):
         open_cloud([wrong_text])
     with pytest.raises(InputError, match=r"b\.las is not a LAS or LAZ file"):
         open_cloud([wrong_las])
+
+
+def names_in(folder, *names):
+    for name in names:
+        (folder / name).write_text("1 2 3\n")
+    return [path.name for path in clouds_in(folder)]
+
+
+def test_a_folder_holds_its_clouds_by_name_without_lists_of_points(tmp_path):
+    assert names_in(tmp_path, "b.LAZ", "a.ply", "targets.txt", "control.csv", "readme.md") == [
+        "a.ply",
+        "b.LAZ",
+    ]
+
+
+def test_text_files_are_clouds_where_a_folder_holds_no_others(tmp_path):
+    assert names_in(tmp_path, "b.txt", "a.csv", "readme.md") == ["a.csv", "b.txt"]
+
+
+def test_a_folder_without_clouds_is_refused(tmp_path):
+    with pytest.raises(InputError, match="holds no point cloud"):
+        names_in(tmp_path, "readme.md")
+    with pytest.raises(InputError, match="nowhere cannot be read"):
+        clouds_in(tmp_path / "nowhere")

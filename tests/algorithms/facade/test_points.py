@@ -4,8 +4,9 @@ import laspy
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.facade.planes.facade_points import read_points
-from ichnograph.tests.algorithms.clouds.formats import write_e57, write_ply, write_ptx
+from ichnograph.algorithms.facade.points import read_points
+from ichnograph.algorithms.facade.settings import ThinningSettings
+from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
 
@@ -68,7 +69,10 @@ def test_more_points_than_asked_for_are_thinned_the_same_in_any_order(tmp_path):
     xyz = np.random.default_rng(0).uniform(0, 1, (4000, 3)) * (1, 0.002, 1)
     write_ply(tmp_path / "a.ply", xyz)
     write_ply(tmp_path / "b.ply", xyz[::-1])
-    first, second = (read_points(open_cloud([tmp_path / name]), most=1000) for name in ("a.ply", "b.ply"))
+    thinning = ThinningSettings(most_points=1000)
+    first, second = (
+        read_points(open_cloud([tmp_path / name]), thinning=thinning) for name in ("a.ply", "b.ply")
+    )
 
     assert 500 < len(first.xyz) <= 1000
     assert sorted(map(tuple, (first.xyz + first.origin).round(6))) == sorted(

@@ -219,5 +219,5 @@ def test_a_large_registration_stays_readable_and_small(report):
 
 
 def test_a_report_that_cannot_be_written_is_refused(tmp_path):
-    with pytest.raises(InputError, match="folder is missing"):
+    with pytest.raises(InputError, match="folder does not exist"):
         write_report(registration(1), tmp_path / "nowhere" / "report.html")

@@ -2,15 +2,9 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.faces.face_fit import (
-    CHORD,
-    Arc,
-    Line,
-    crossing,
-    first_arc,
-    first_line,
-    fit_face,
-)
+from ichnograph.algorithms.geometry.circles import arc_through
+from ichnograph.algorithms.geometry.curves import CHORD, Arc, Line, line_through
+from ichnograph.algorithms.site_plan.faces.face_fit import crossing, fit_face
 
 
 def straight(count=500, seed=0):
@@ -28,18 +22,18 @@ def test_strangers_do_not_move_a_line():
 
 
 def test_the_rms_is_that_of_the_points_of_the_face():
-    fit = fit_face(first_line(np.array([[0.0, 0.0], [4.0, 0.0]])), straight(), np.ones(500))
+    fit = fit_face(line_through(np.array([[0.0, 0.0], [4.0, 0.0]])), straight(), np.ones(500))
     assert fit.rms == pytest.approx(0.003, rel=0.1)
 
 
 def test_a_voxel_counts_by_its_area():
     xy = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 0.004], [1.0, 0.004]])
-    fit = fit_face(first_line(xy[:2]), xy, np.array([1.0, 1.0, 3.0, 3.0]))
+    fit = fit_face(line_through(xy[:2]), xy, np.array([1.0, 1.0, 3.0, 3.0]))
     assert fit.curve.offset(np.array([[0.5, 0.0]]))[0] == pytest.approx(-0.003, abs=0.0005)
 
 
 def test_nothing_is_fitted_where_no_voxel_is_near():
-    line = first_line(np.array([[0.0, 0.0], [1.0, 0.0]]))
+    line = line_through(np.array([[0.0, 0.0], [1.0, 0.0]]))
     assert fit_face(line, np.array([[0.5, 0.3], [0.6, 0.4]]), np.ones(2)) is None
 
 
@@ -48,11 +42,11 @@ def test_a_circle_is_found_from_part_of_it(turn):
     angle = np.radians(turn * np.linspace(0, 90, 400))
     row = 2.0 * np.column_stack([np.cos(angle), np.sin(angle)]) + (5.0, 7.0)
     xy = row + np.random.default_rng(0).normal(0, 0.003, row.shape)
-    fit = fit_face(first_arc(xy[::20]), xy, np.ones(len(xy)))
+    fit = fit_face(arc_through(xy[::20]), xy, np.ones(len(xy)))
     assert fit.curve.centre == pytest.approx((5, 7), abs=0.005)
     assert fit.curve.radius == pytest.approx(2.0, abs=0.005)
-    assert fit.curve.turn == turn
-    assert fit.curve.ends(xy) == pytest.approx(fit.curve.place(xy[[0, -1]]))
+    assert fit.curve.sense == turn
+    assert fit.curve.ends(xy) == pytest.approx(fit.curve.station(xy[[0, -1]]))
 
 
 def test_left_is_towards_the_core():

@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.density.density_image import density_image
-from ichnograph.algorithms.site_plan.density.foliage import PARTS, spread_of
+from ichnograph.algorithms.site_plan.density.settings import SpreadSettings
+from ichnograph.algorithms.site_plan.density.spread import spread_of
 from ichnograph.tests.algorithms.site_plan.site import (
     band_at,
     cloud_of,
@@ -16,6 +17,7 @@ from ichnograph.tests.algorithms.site_plan.site import (
     upright,
 )
 
+PARTS = SpreadSettings().parts
 GROUND = level((0, 8), (0, 6), 0.0)
 WALL = upright((1, 2), (7, 2), 0.0, 2.2)
 

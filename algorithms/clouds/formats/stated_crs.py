@@ -1,0 +1,28 @@
+"""The reference system that a cloud's file states itself."""
+
+from pathlib import Path
+from typing import Callable, Optional
+
+from rasterio.crs import CRS
+
+from ...errors import InputError
+from ...reference_systems import has_only_heights, name_of
+
+
+def read_crs(path: Path, parse: Callable[[], Optional[CRS]]) -> tuple[Optional[CRS], tuple[str, ...]]:
+    """Return the horizontal system that `parse` finds in a file, and what the user should know about it.
+
+    Raises
+    ------
+    InputError
+        If the heights of the system are not in metres.
+    """
+    try:
+        crs = parse()
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+    except ValueError:
+        return None, (f"The coordinate reference system in {path} cannot be understood.",)
+    if crs is not None and has_only_heights(crs):
+        return None, (f"{path} states a system of heights only ({name_of(crs)}), which is ignored.",)
+    return crs, ()

@@ -1,0 +1,90 @@
+"""The constants of clouds, each with its reason; see `algorithms.settings`."""
+
+from dataclasses import dataclass
+
+from ..settings import judged, physical
+
+
+@dataclass(frozen=True)
+class TextSettings:
+    """How much of a text cloud is looked into before it is read, and how its columns are recognised."""
+
+    sample_bytes: int = judged(
+        65_536,
+        "A thousand lines or more; fewer may lack the points by which ranges of colour and intensity are "
+        "recognised, more delay the opening.",
+    )
+    numeric_share: float = judged(
+        0.5, "A column holds numbers if most of its fields are, since single values may be missing."
+    )
+
+
+@dataclass(frozen=True)
+class ReadingSettings:
+    """How much of a file is looked into before it is read, and how much of it is in memory at a time."""
+
+    sample_points: int = judged(
+        10_000,
+        "Enough to show the ranges of colour and intensity and the middle of the site; more delay opening.",
+    )
+    las_runs: int = judged(
+        8, "Spread over the file, because its first points alone may all be dark or lie in one corner."
+    )
+    las_run_points: int = judged(
+        1000, "A run costs one seek and the decoding of a compressed chunk, whatever its length."
+    )
+    text: TextSettings = TextSettings()
+    chunk_points: int = judged(
+        1_000_000, "Smaller chunks spend time between them, larger ones take memory and gain nothing."
+    )
+
+
+@dataclass(frozen=True)
+class TileSettings:
+    """Which points are stray."""
+
+    max_height_m: float = physical(
+        20_000.0, "No site is so high or deep: such points are stray, or the coordinates geocentric."
+    )
+    max_distance_m: float = physical(
+        1e9, "Farther than any point of one site; the integers of the lattice end not much later."
+    )
+    max_stray_share: float = judged(
+        0.01, "More are no stray measurements: the coordinates of the whole cloud are of another kind."
+    )
+
+
+@dataclass(frozen=True)
+class ThinningSettings:
+    """How thinning divides its work."""
+
+    tile_edge_m: float = judged(
+        4.0, "Small enough for a tile to stay in the processor's cache; which points are kept depends on it."
+    )
+    waiting_tiles: int = judged(
+        2, "For each processor: fewer leave processors idle, more hold points in memory to no use."
+    )
+
+
+@dataclass(frozen=True)
+class WritingSettings:
+    """How finely coordinates are stored, and how many points are written at a time."""
+
+    coarsest_step_m: float = judged(1e-4, "A tenth of a millimetre is finer than any scanner measures.")
+    finest_step_m: float = physical(1e-5, "With finer steps, 32 bits do not span 20 km.")
+    chunk_points: int = judged(
+        1_000_000, "Smaller chunks spend time between them, larger ones take memory and gain nothing."
+    )
+    text_lines: int = judged(
+        100_000, "As lists of fields, lines take about ten times the memory that their numbers do."
+    )
+
+
+@dataclass(frozen=True)
+class CloudSettings:
+    """The constants of all stages."""
+
+    reading: ReadingSettings = ReadingSettings()
+    tiles: TileSettings = TileSettings()
+    thinning: ThinningSettings = ThinningSettings()
+    writing: WritingSettings = WritingSettings()

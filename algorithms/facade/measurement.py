@@ -1,0 +1,214 @@
+"""The measurement of a facade: from the points of a scan to an elevation."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Optional
+
+import numpy as np
+from shapely.affinity import translate
+from shapely.geometry import MultiPolygon, Polygon
+
+from ..progress import Progress
+from .colour.appearance import Appearance
+from .colour.coloured_details import Coloured, find_coloured
+from .colour.intensity_scale import make_relative
+from .elevation import PROJECTION, Detail, Elevation, Frame, Points, Segmentation, frame_of
+from .outlines.details import (
+    Scene,
+    TracedDetail,
+    coloured_details,
+    hole_details,
+    projecting_details,
+    stand_ins,
+)
+from .outlines.holes import Hole, classify, find_gaps
+from .outlines.regular_outlines import Outline, make_outline
+from .outlines.surface import Surface, make_surface
+from .outlines.wall_extent import complete, parts_of
+from .planes.segmentation import find_planes
+from .settings import FacadeSettings
+
+MILLIMETRES = 3
+"""Decimals of the position of u, v = 0, 0 on the wall."""
+
+
+def measure_facade(
+    points: Points, settings: FacadeSettings = FacadeSettings(), progress: Progress = Progress()
+) -> Elevation:
+    """Find the planes of a facade, and measure the details of the main one.
+
+    Parameters
+    ----------
+    points : Points
+    settings : FacadeSettings
+    progress : Progress
+
+    Raises
+    ------
+    NothingFoundError
+        If there is no upright plane.
+    """
+    segmentation = find_planes(points, settings.distance_m, settings.planes, progress.part(0.0, 0.2))
+    frame = frame_of(segmentation.planes[0], points.origin)
+    scene = Scene(frame.local(points.xyz, points.origin), segmentation.labels)
+    progress.update(0.2, "Triangulating the wall")
+    wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
+    progress.update(
+        0.45, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
+    )
+    coloured = _coloured(points, wall, settings, progress)
+    progress.update(0.65, "Separating openings from shadows")
+    holes = _holes(scene, wall, settings)
+    traced = [*hole_details(scene, wall, holes, settings)]
+    empty = stand_ins(holes, wall.spacing)
+    traced += coloured_details(scene, wall, coloured, empty, settings)
+    for label in _projections(segmentation, settings):
+        surface = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == label), settings)
+        traced += projecting_details(scene, label, surface, empty, settings)
+    progress.update(0.85, "Making outlines")
+    return _elevation(points, scene, frame, wall, holes, traced, settings)
+
+
+def _coloured(points: Points, wall: Surface, settings: FacadeSettings, progress: Progress) -> Coloured:
+    """Return the coloured regions of the wall; without colour there is one."""
+    if points.rgb is None:
+        return Coloured(np.zeros(len(wall.rows), np.int32), None, 1, 1, np.nan)
+    looks = _appearance(points, points.rgb[wall.rows], wall, settings, progress)
+    coloured = find_coloured(wall.mesh, wall.linked, wall.sizes, looks, settings)
+    progress.update(
+        0.65,
+        f"{coloured.regions} regions of one colour (SEED_VARIANCE {coloured.variance:.0f}) are "
+        f"{coloured.surfaces} surfaces.",
+    )
+    return coloured
+
+
+def _appearance(
+    points: Points, rgb: np.ndarray, wall: Surface, settings: FacadeSettings, progress: Progress
+) -> Appearance:
+    """Return the colours of the wall, its relative intensities, and f."""
+    if points.intensity is None:
+        return Appearance(rgb)
+    limits = settings.colour.intensity
+    relative = make_relative(wall.mesh.points, points.intensity[wall.rows], points.scan[wall.rows], limits)
+    low, high = relative.levels.min(), relative.levels.max()
+    if high > limits.unequal * low:
+        progress.update(
+            0.48,
+            f"The intensities of the {len(relative.levels)} scans have different levels ({low:.0f} to "
+            f"{high:.0f}), so each scan is scaled by its own.",
+        )
+    threshold = relative.threshold if settings.intensity is None else settings.intensity
+    progress.update(
+        0.5, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
+    )
+    return Appearance(rgb, relative.values, threshold)
+
+
+def _holes(scene: Scene, wall: Surface, settings: FacadeSettings) -> list[Hole]:
+    w, limits = scene.uvw[:, 2], settings.outlines.holes
+    behind = scene.uvw[(scene.labels >= 0) & (w < -settings.distance_m) & (w > -limits.farthest_m)]
+    gaps = find_gaps(wall.outline, settings.smallest_m2, limits)
+    return [classify(gap, behind, wall.spacing, settings) for gap in gaps]
+
+
+def _projections(segmentation: Segmentation, settings: FacadeSettings) -> list[int]:
+    """Return the labels of the planes that lie in front of the wall and parallel to it."""
+    main = segmentation.planes[0]
+    return [
+        label
+        for label, plane in enumerate(segmentation.planes[1:], start=2)
+        if plane.normal @ main.normal > np.cos(np.radians(settings.outlines.parallel_deg))
+        and main.distances(plane.centre) > settings.distance_m
+    ]
+
+
+def _elevation(
+    points: Points,
+    scene: Scene,
+    frame: Frame,
+    wall: Surface,
+    holes: list[Hole],
+    traced: list[TracedDetail],
+    settings: FacadeSettings,
+) -> Elevation:
+    large = [item for item in traced if item.border.ring.area >= settings.smallest_m2]
+    made = [(item, make_outline(item.border, settings.regularise, settings.outlines)) for item in large]
+    outlines: dict[str, list[Polygon]] = {}
+    for item, outline in made:
+        outlines.setdefault(item.kind, []).append(outline.polygon)
+    deepest = max((item.depth for item in large if item.kind == PROJECTION), default=0.0)
+    whole = complete(wall, holes, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
+    face, unseen = whole.face, whole.unseen
+    left, bottom = np.round(np.array(face.bounds[:2]), MILLIMETRES)
+    moved = Frame(frame.world([[left, bottom, 0.0]])[0], frame.azimuth, frame.tilt)
+    details = [
+        _detail(points, item, _moved(outline, -left, -bottom), -left, -bottom) for item, outline in made
+    ]
+    details.sort(key=lambda detail: _rank(detail, settings.row_m))
+    return Elevation(
+        moved,
+        MultiPolygon(parts_of(translate(face, -left, -bottom))),
+        tuple(replace(detail, number=number) for number, detail in enumerate(details, start=1)),
+        tuple(translate(part, -left, -bottom) for part in unseen),
+        wall.spacing,
+        _shown(scene, settings),
+        tuple(_limits(points)),
+    )
+
+
+def _rank(detail: Detail, row: float) -> tuple[float, float, str]:
+    """Return what details are numbered by: row by row from above, then from the left."""
+    centre = detail.outline.centroid
+    return -(centre.y // row), centre.x, detail.kind
+
+
+def _limits(points: Points) -> Iterator[str]:
+    """Yield what could not be done with the points, in sentences."""
+    if points.rgb is None:
+        yield "The points have no colour, so only openings, recesses and projections are found."
+    elif points.intensity is None:
+        yield (
+            "The points have no intensity, so a cast shadow can appear as a coloured detail; check the "
+            "coloured details."
+        )
+
+
+def _moved(outline: Outline, u: float, v: float) -> Outline:
+    return replace(outline, polygon=translate(outline.polygon, u, v))
+
+
+def _detail(points: Points, item: TracedDetail, outline: Outline, u: float, v: float) -> Detail:
+    return Detail(
+        number=0,
+        kind=item.kind,
+        shape=outline.shape,
+        outline=outline.polygon,
+        raw=translate(item.border.ring, u, v),
+        edges=outline.edges,
+        rms=outline.rms,
+        depth=item.depth,
+        points=len(item.rows),
+        colour=_mean_colour(points.rgb, item.rows),
+        intensity=_mean_intensity(points.intensity, item.rows),
+    )
+
+
+def _mean_colour(rgb: Optional[np.ndarray], rows: np.ndarray) -> Optional[tuple[float, float, float]]:
+    if rgb is None or not len(rows):
+        return None
+    red, green, blue = (float(value) for value in rgb[rows].mean(axis=0, dtype=float))
+    return red, green, blue
+
+
+def _mean_intensity(intensity: Optional[np.ndarray], rows: np.ndarray) -> Optional[float]:
+    if intensity is None or not len(rows):
+        return None
+    return float(intensity[rows].mean(dtype=float))
+
+
+def _shown(scene: Scene, settings: FacadeSettings) -> np.ndarray:
+    """Return the rows of the points on the planes of the facade, and of those at most its depth behind."""
+    w, labels = scene.uvw[:, 2], scene.labels
+    near = (w < settings.distance_m) & (w > -settings.planes.depth_m)
+    return np.flatnonzero((labels > 0) | ((labels == 0) & near))

@@ -1,0 +1,210 @@
+"""The planes of a facade and their points, without ground, side walls and trees."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...errors import NothingFoundError
+from ...geometry.robust import sigma_of_residuals
+from ...progress import Progress
+from ..elevation import Plane, Points, Segmentation
+from .patches import Patch, extract, make_patch
+from .ransac import refit
+from .settings import FitSettings, PlaneSettings
+from .voxels import Voxels, make_voxels
+
+NONE, OTHER = 0, -1
+"""Labels of points outside the planes of the facade, and on a plane in front of it, such as the street."""
+
+
+def find_planes(
+    points: Points,
+    distance: float,
+    settings: PlaneSettings = PlaneSettings(),
+    progress: Progress = Progress(),
+) -> Segmentation:
+    """Find the main plane of a facade and the secondary planes on it, and assign the points.
+
+    A first pass over the whole scan finds the main plane, the largest upright one. Ground and side walls
+    compete with it for their points. A second pass finds the secondary planes on the facade.
+
+    Parameters
+    ----------
+    points : Points
+    distance : float
+        ds, the largest distance of a point from its plane (m).
+    settings : PlaneSettings
+    progress : Progress
+
+    Raises
+    ------
+    NothingFoundError
+        If there is no upright plane.
+    """
+    axes = _axes_of_facade(points.xyz, distance, settings)
+    progress.update(0.3)
+    found = _in_frame(points.xyz @ axes.T, distance, settings, progress)
+    planes = tuple(
+        replace(plane, normal=plane.normal @ axes, centre=plane.centre @ axes) for plane in found.planes
+    )
+    return Segmentation(planes, found.labels)
+
+
+def _axes_of_facade(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> np.ndarray:
+    """Return x along the main plane, y at right angles to it and z up, as rows, shape (3, 3).
+
+    Cubes along the wall are the same in every orientation of the site, and so are the planes.
+    """
+    coarse = settings.coarse * distance
+    patches = extract(make_voxels(xyz, coarse, settings.voxels), distance, settings)
+    main = _largest_upright(patches, xyz, distance, settings)
+    near = xyz[np.abs(main.heights(xyz)) <= coarse]
+    normal, anchor = refit(
+        near, main.normal, main.anchor, settings.fit.vote * distance, settings=settings.fit
+    )
+    out = np.array([normal[0], normal[1], 0.0]) / np.hypot(*normal[:2])
+    # The sign must not depend on the orientation of the site.
+    limits = (settings.percentile, 100 - settings.percentile)
+    behind, before = np.percentile((xyz[:: settings.sampled] - anchor) @ out, limits)
+    out = -out if -behind > before else out
+    return np.array([[-out[1], out[0], 0.0], out, [0.0, 0.0, 1.0]])
+
+
+def _largest_upright(
+    patches: list[Patch], xyz: np.ndarray, distance: float, settings: PlaneSettings
+) -> Patch:
+    steepest = np.sin(np.radians(settings.upright_deg))
+    upright = [patch for patch in patches if abs(patch.normal[2]) < steepest]
+    if not upright:
+        raise NothingFoundError(_nothing(xyz, distance, settings))
+    return max(upright, key=lambda patch: patch.area)
+
+
+def _in_frame(xyz: np.ndarray, distance: float, settings: PlaneSettings, progress: Progress) -> Segmentation:
+    voxels = make_voxels(xyz, distance, settings.voxels)
+    progress.update(0.4, f"{len(xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m.")
+    every = extract(voxels, distance, settings)
+    main = _facing_scanner(_largest_upright(every, xyz, distance, settings), voxels.centres, settings)
+    progress.update(0.6, f"The main plane covers {main.area:.1f} m2.")
+    competitors = [patch for patch in every if not _is_facade(patch, main, settings)]
+    secondary = _secondary(xyz, main, competitors, distance, settings)[: max(settings.max_planes - 1, 0)]
+    progress.update(0.8)
+    patches = [main, *(_along(patch, main) for patch in secondary)]
+    labels = _assign(xyz, voxels, [*patches, *competitors], distance, settings.fit)
+    before = [_is_before(patch, main) for patch in competitors]
+    others = np.array([NONE, *range(1, len(patches) + 1), *np.where(before, OTHER, NONE)], np.int16)
+    labels = others[labels]
+    return _largest_first(xyz, patches, labels, settings, progress)
+
+
+def _nothing(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> str:
+    largest = float(np.ptp(xyz, axis=0).max())
+    if largest > settings.longest_facade_m:
+        return (
+            f"No upright plane was found in a cloud of {largest:.0f} m; if the coordinates are in "
+            "millimetres or feet, convert them to metres."
+        )
+    return (
+        f"No upright plane of {settings.smallest_m2} m2 or more was found with DISTANCE {distance:g} m; "
+        "increase DISTANCE, and check that z points up and that the coordinates are in metres."
+    )
+
+
+def _facing_scanner(main: Patch, centres: np.ndarray, settings: PlaneSettings) -> Patch:
+    """Return the patch with its normal towards the side with more voxels."""
+    own = (main.centres_of_squares() - main.anchor) @ main.axes.T
+    places = (centres - main.anchor) @ main.axes.T
+    low, high = own.min(axis=0) - settings.around_m, own.max(axis=0) + settings.around_m
+    heights = main.heights(centres[((places > low) & (places < high)).all(axis=1)])
+    before, behind = np.sum(heights > settings.far_m), np.sum(heights < -settings.far_m)
+    return main.flipped() if behind > before else main
+
+
+def _is_facade(patch: Patch, main: Patch, settings: PlaneSettings) -> bool:
+    """Whether a plane faces as the main one does and lies near it; true for the main plane itself."""
+    steep = abs(patch.normal[2]) < np.sin(np.radians(settings.upright_deg))
+    facing = abs(patch.normal @ main.normal) > np.cos(np.radians(settings.facing_deg))
+    height = np.median(main.heights(patch.centres_of_squares()))
+    return bool(steep and facing and abs(height) <= settings.depth_m)
+
+
+def _is_before(patch: Patch, main: Patch) -> bool:
+    """Whether a plane is on the scanner's side of the main one, as the street is, and a room is not."""
+    return bool(np.median(main.heights(patch.centres_of_squares())) > 0)
+
+
+def _secondary(
+    xyz: np.ndarray, main: Patch, competitors: list[Patch], distance: float, settings: PlaneSettings
+) -> list[Patch]:
+    """Return the planes on the facade, from the points that the main plane and the competitors leave."""
+    own = (main.centres_of_squares() - main.anchor) @ main.axes.T
+    low, high = own.min(axis=0) - settings.beside_m, own.max(axis=0) + settings.beside_m
+    places = (xyz - main.anchor) @ main.axes.T
+    zone = ((places > low) & (places < high)).all(axis=1) & (np.abs(main.heights(xyz)) <= settings.depth_m)
+    for patch in (main, *competitors):
+        zone[zone] = ~((np.abs(patch.heights(xyz[zone])) <= distance) & patch.covers(xyz[zone]))
+    left = xyz[zone]
+    if len(left) < settings.fewest_points:
+        return []
+    found = extract(make_voxels(left, distance, settings.voxels), distance, settings)
+    refitted = [_refitted(patch, left, distance, settings.fit) for patch in found]
+    return [patch for patch in refitted if _is_facade(patch, main, settings)]
+
+
+def _refitted(patch: Patch, xyz: np.ndarray, distance: float, settings: FitSettings) -> Patch:
+    """Return the plane of the points themselves: cubes at its edges hold points of its sides too."""
+    near = np.flatnonzero(np.abs(patch.heights(xyz)) <= distance)
+    near = near[patch.covers(xyz[near])]
+    plane = refit(xyz[near], patch.normal, patch.anchor, settings.vote * distance, settings=settings)
+    return make_patch(*plane, patch.centres_of_squares(), patch.side, patch.area)
+
+
+def _along(patch: Patch, main: Patch) -> Patch:
+    return patch.flipped() if patch.normal @ main.normal < 0 else patch
+
+
+def _assign(
+    xyz: np.ndarray, voxels: Voxels, patches: list[Patch], distance: float, settings: FitSettings
+) -> np.ndarray:
+    """Return the number, from 1, of the plane nearest to each point; `NONE` beyond ds."""
+    labels = np.zeros(len(xyz), np.int16)
+    least = np.full(len(xyz), np.inf)
+    for number, patch in enumerate(patches, start=1):
+        beside = np.abs(patch.heights(voxels.centres)) <= distance + np.sqrt(3) * voxels.size
+        near = np.flatnonzero(beside[voxels.of_point])
+        heights = np.abs(patch.heights(xyz[near]))
+        own = heights <= distance
+        own[own] = patch.covers(xyz[near[own]])
+        near, heights = near[own], heights[own]
+        sigma = sigma_of_residuals(heights[heights <= settings.vote * distance]) if len(near) else 0.0
+        alike = np.abs(voxels.normals @ patch.normal) >= settings.least_cosine
+        fits = (alike[voxels.of_point[near]] | (heights <= settings.sigmas * sigma)) & (heights < least[near])
+        labels[near[fits]] = number
+        least[near[fits]] = heights[fits]
+    return labels
+
+
+def _largest_first(
+    xyz: np.ndarray, patches: list[Patch], labels: np.ndarray, settings: PlaneSettings, progress: Progress
+) -> Segmentation:
+    """Return the planes with enough points, the main one first, then by falling number of points."""
+    counts = np.bincount(labels[labels > 0], minlength=len(patches) + 1)
+    fewest = settings.min_points
+    if fewest is None:
+        fewest = max(settings.fewest_points, int(settings.share * counts[1]))
+    progress.update(0.95, f"Planes of fewer than {fewest} points are left out.")
+    others = [label for label in range(2, len(patches) + 1) if counts[label] >= fewest]
+    order = [1, *sorted(others, key=lambda label: -counts[label])]
+    renamed = np.zeros(len(patches) + 2, np.int16)
+    renamed[OTHER] = OTHER
+    for new, old in enumerate(order, start=1):
+        renamed[old] = new
+    labels = renamed[labels]
+    planes = tuple(_plane(patches[old - 1], xyz[labels == new]) for new, old in enumerate(order, start=1))
+    return Segmentation(planes, labels)
+
+
+def _plane(patch: Patch, xyz: np.ndarray) -> Plane:
+    heights = patch.heights(xyz)
+    centre = xyz.mean(axis=0) - heights.mean() * patch.normal
+    return Plane(patch.normal, centre, float(np.sqrt(np.mean(heights**2))), len(xyz))

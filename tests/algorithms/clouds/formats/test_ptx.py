@@ -1,0 +1,134 @@
+"""PTX: grids of cells, each with its pose."""
+
+import gzip
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from ichnograph.algorithms.clouds.formats.ptx import PtxSource
+from ichnograph.algorithms.clouds.formats.text import TextSource
+from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.progress import Progress
+from ichnograph.tests.algorithms.clouds.sample_files import write_ptx
+
+DATA = Path(__file__).parents[4] / "shared" / "data"
+
+CELLS = np.array([[1.5, 2.25, 3, 0.25], [0, 0, 0, 0.5], [4, 5, 6, 1]])
+QUARTER_TURN = np.array([[0.0, -1, 0, 100], [1, 0, 0, 200], [0, 0, 1, 300], [0, 0, 0, 1]])
+
+
+def read(path, size=1000):
+    chunks = list(PtxSource.open(path).chunks(np.zeros(3), Progress(), size))
+    return (
+        np.concatenate([chunk.xyz for chunk in chunks]),
+        None if chunks[0].intensity is None else np.concatenate([c.intensity for c in chunks]),
+        None if chunks[0].rgb is None else np.concatenate([c.rgb for c in chunks]),
+    )
+
+
+def test_empty_cells_are_no_points_and_intensity_is_brought_to_16_bits(tmp_path):
+    xyz, intensity, rgb = read(write_ptx(tmp_path / "a.ptx", CELLS))
+    np.testing.assert_array_equal(xyz, [[1.5, 2.25, 3], [4, 5, 6]])
+    np.testing.assert_array_equal(intensity, [16384, 65535])
+    assert rgb is None
+
+
+def test_each_scan_is_moved_by_its_pose(tmp_path):
+    xyz, _, _ = read(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN), CELLS[2:]))
+    np.testing.assert_allclose(xyz, [[97.75, 201.5, 303], [95, 204, 306], [4, 5, 6]], atol=1e-12)
+
+
+def test_colour_is_brought_to_16_bits(tmp_path):
+    cells = np.column_stack([CELLS, [[255, 0, 1], [9, 9, 9], [0, 128, 0]]])
+    _, _, rgb = read(write_ptx(tmp_path / "a.ptx", cells))
+    np.testing.assert_array_equal(rgb, [[65535, 0, 257], [0, 128 * 257, 0]])
+
+
+def test_a_scan_without_the_colour_of_the_first_is_black(tmp_path):
+    cells = np.column_stack([CELLS, [[255, 0, 1], [9, 9, 9], [0, 128, 0]]])
+    xyz, _, rgb = read(write_ptx(tmp_path / "a.ptx", cells, CELLS))
+    assert (len(xyz), rgb[2:].max()) == (4, 0)
+
+
+def test_a_scan_that_begins_with_empty_cells_is_read(tmp_path):
+    cells = np.vstack([np.tile([0, 0, 0, 0.5], (20_000, 1)), CELLS])
+    source = PtxSource.open(write_ptx(tmp_path / "a.ptx", cells))
+    np.testing.assert_array_equal(source.middle, [2.75, 3.625, 4.5])
+
+
+@settings(deadline=None, max_examples=20)
+@given(size=st.integers(1, 60))
+def test_chunks_do_not_change_a_bit(tmp_path_factory, size):
+    cells = np.random.default_rng(1).uniform(-30, 30, (25, 4))
+    path = write_ptx(tmp_path_factory.mktemp("ptx") / "a.ptx", (cells, QUARTER_TURN), cells)
+    np.testing.assert_array_equal(read(path, size)[0], read(path)[0])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("4 5 6 1\n", "", "a scan announces 3 cells and has 2"),
+        ("1 0 0\n", "", "has no header of a PTX scan from line 1 on"),
+        ("4 5 6 1\n", "4 5 6 1\n9 9 9\n", "has no header of a PTX scan from line 14 on"),
+        ("4 5 6 1", "4 5 six 1", "Line 13 of .* holds something that is not a number"),
+        ("4 5 6 1", "4 5 6", "Line 13 of .* has 3 numbers instead of 4"),
+        ("4 5 6 1", "4 5 6 1 9", "Line 13 of .* has 5 numbers instead of 4"),
+        ("1.5 2.25 3 0.25", "1.5 2.25", "Line 11 of .* has 2 numbers instead of 4"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, old, new, sentence):
+    path = write_ptx(tmp_path / "a.ptx", CELLS)
+    path.write_text(path.read_text().replace(old, new))
+    with pytest.raises(InputError, match=sentence) as caught:
+        read(path)
+    assert str(path) in str(caught.value)
+
+
+def test_a_scan_of_empty_cells_is_refused(tmp_path):
+    with pytest.raises(InputError, match="holds no points"):
+        PtxSource.open(write_ptx(tmp_path / "a.ptx", 0 * CELLS))
+
+
+def test_cancelling_stops_between_chunks(tmp_path):
+    source = PtxSource.open(write_ptx(tmp_path / "a.ptx", CELLS))
+    with pytest.raises(CancelledError):
+        list(source.chunks(np.zeros(3), Progress(is_cancelled=lambda: True), 1))
+
+
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [
+        ("1.2-with-color.ptx", 1065),
+        ("no-color.ptx", 15),
+        ("complex-transform.ptx", 4),
+        ("multiple-and-transform.ptx", 8),
+    ],
+)
+def test_files_of_other_programs(name, count):
+    path = DATA / "format_ptx_pts_pdal" / name
+    if not path.exists():
+        pytest.skip("the shared data are not here")
+    assert len(read(path)[0]) == count
+
+
+def test_both_scans_of_a_file_come_to_the_same_place():
+    path = DATA / "format_ptx_pts_pdal" / "multiple-and-transform.ptx"
+    if not path.exists():
+        pytest.skip("the shared data are not here")
+    xyz, _, _ = read(path)
+    np.testing.assert_allclose(xyz[:4], xyz[4:], atol=1e-9)
+
+
+def test_a_real_scan_has_the_points_of_its_pts(tmp_path):
+    folder = DATA / "e57_pump_room"
+    if not folder.exists():
+        pytest.skip("the shared data are not here")
+    for kind in ("ptx", "pts"):
+        packed = folder / f"pump_derived.{kind}.gz"
+        (tmp_path / f"pump.{kind}").write_bytes(gzip.decompress(packed.read_bytes()))
+    xyz, _, rgb = read(tmp_path / "pump.ptx")
+    chunks = list(TextSource.open(tmp_path / "pump.pts").chunks(np.zeros(3), Progress(), 1_000_000))
+    np.testing.assert_allclose(xyz, np.concatenate([chunk.xyz for chunk in chunks]), atol=1e-9)
+    np.testing.assert_array_equal(rgb, np.concatenate([chunk.rgb for chunk in chunks]))
