@@ -12,23 +12,23 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade facade-peers
+.PHONY: facade facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
 help:  ## Show this list
-	@sed -n 's/^\([a-z-]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
+	@sed -n 's/^\([a-z0-9-]*\):.*  ## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 26
 
-setup: .packages/installed .plugins/ichnograph  ## Install what is missing (Debian, Ubuntu), here and from apt
+setup: .packages/installed .plugins/ichnograph  ## Install missing packages, from apt (Debian, Ubuntu) and into this folder
 
 .PHONY: distribution
 distribution:
 	@scripts/install-packages
 
 .packages/installed: requirements.txt | distribution
-	@# All else comes from the distribution, with the one GDAL and numpy that QGIS has.
+	@# Everything else comes from the distribution, with the GDAL and numpy of QGIS.
 	$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps $$(grep -E '^(laspy|lazrs)' requirements.txt)
-	@# Only E57 files need these, and not every machine has a wheel of them.
+	@# Only E57 files need these, and not every machine has wheels of them.
 	-$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps --only-binary :all: pye57 pyquaternion
 	@touch $@
 
@@ -41,7 +41,7 @@ distribution:
 	.tools/bin/pip install --quiet $(TOOLS)
 	@touch $@
 
-demo: setup  ## Simulate scans of ruins and of a facade, register them, make the site plan and the elevation
+demo: setup  ## Simulate scans of ruins and of a facade, register them, and make the site plan and the elevation
 	@rm -rf $(DEMO) && mkdir -p $(DEMO)
 	$(RUN) -m ichnograph.tests.scenes ruins $(DEMO)/scan.laz --angular-step 0.2 --survey $(DEMO)/control.txt \
 		--move 12 412345.6 5812345.7 71.3
@@ -64,21 +64,21 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, make the
 	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration;"
 	@echo "orthoimage.tif, elevation.shp and a picture of them, elevation.png; details.shp, schedule.csv, drawing.dxf."
 
-test: setup lint  ## Check the style and run all tests
+test: setup lint  ## Check style and types, and run all tests
 	$(RUN) -m pytest
 
-lint: .tools/installed .plugins/ichnograph  ## Check style, types, and security as the plugin repository does
+lint: .tools/installed .plugins/ichnograph  ## Check style and types, and security as the plugin repository does
 	.tools/bin/ruff check
 	.tools/bin/ruff format --check
 	.tools/bin/mypy
 	.tools/bin/bandit -q -r algorithms processing_provider plugin.py __init__.py
-	@# Files that are staged to be deleted are listed, but gone.
+	@# Files that are staged to be deleted are listed but do not exist.
 	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook
 
 accuracy: setup  ## Print how well the walls of the simulated scenes are found
 	$(RUN) -m ichnograph.benchmarks.accuracy
 
-plan: setup  ## Print how good plans are over random scenes, turns and shifts: the worst of them
+plan: setup  ## Print the worst and the median plan of random scenes, rotations and shifts
 	$(RUN) -m ichnograph.benchmarks.plan
 
 rooms: setup  ## Print how well the rooms between the walls of the simulated scenes are found
@@ -87,32 +87,32 @@ rooms: setup  ## Print how well the rooms between the walls of the simulated sce
 benchmark: setup  ## Print how long ten million points take, and how much memory
 	$(RUN) -m ichnograph.benchmarks.speed
 
-figure2: setup  ## Remake the figure 2 of the paper: point spacing against pixel size
+figure2: setup  ## Draw figure 2 of the paper: point spacing against pixel size
 	$(RUN) -m ichnograph.benchmarks.figure2
 
 real: setup  ## Make the plans of the real scans in ../shared/data
 	$(RUN) -m ichnograph.benchmarks.real_clouds
 
-registration: setup  ## Print how surely targets are matched, beside the peers that are installed
+registration: setup  ## Print how reliably targets are matched, compared with the installed peers
 	$(RUN_PEERS) -m ichnograph.benchmarks.registration
 
-peers: .peers/installed  ## Install the tools that registration and facades are compared with, here
+peers: .peers/installed  ## Install the tools that registration and facades are compared with (peers)
 
 .peers/installed: | distribution
-	@# One by one, for not every system has all of them; numpy stays that of the distribution.
+	@# One by one, because not every system has all of them; numpy must remain that of the distribution.
 	mkdir -p .peers
 	for peer in open3d-cpu kiss-matcher cliquematch pyransac3d alphashape click-log trimesh rtree; do \
 		$(PYTHON) -m pip install --quiet --upgrade --target .peers --no-deps $$peer || true; \
 	done
-	@# What open3d needs to be imported.
+	@# open3d imports these.
 	$(PYTHON) -m pip install --quiet --upgrade --target .peers dash configargparse
 	cd .peers && apt-get download -qq libusb-1.0-0 && dpkg -x libusb-1.0-0_*.deb . && rm libusb-1.0-0_*.deb
 	@touch $@
 
-registration-statistics: setup  ## Print whether confidence regions and tests keep what they promise
+registration-statistics: setup  ## Print whether confidence regions and tests have their stated probabilities
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_statistics
 
-registration-figure: setup  ## Remake the figure 9 of the paper: five points of a list of a hundred
+registration-figure: setup  ## Draw figure 9 of the paper: five points of a list of a hundred
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_figure
 
 registration-chain: setup  ## Print whether errors at the end of a chain of scans are as predicted
@@ -123,6 +123,18 @@ facade: setup  ## Print how well the details of simulated facades are measured
 
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
+
+sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
+
+constants: setup  ## Write docs/constants.md, the page of all constants with their reasons
+	$(RUN) -m ichnograph.scripts.constants_page
+
+house: setup .tools/installed  ## Print how the code is divided: files, functions, imports, types, constants
+	$(RUN) -m ichnograph.scripts.house_figures
+
+house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
+	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg
 
 package:  ## Zip the last commit as QGIS installs it
 	@mkdir -p build

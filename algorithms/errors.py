@@ -22,7 +22,7 @@ class MissingPackageError(InputError):
         What cannot be done with it.
     """
 
-    def __init__(self, what: str, modules: tuple, done: str = "read") -> None:
+    def __init__(self, what: str, modules: tuple[str, ...], done: str = "read") -> None:
         super().__init__(f"{what} cannot be {done} without {' and '.join(modules)}; install what is missing.")
         self.what = what
         self.modules = modules
@@ -30,7 +30,18 @@ class MissingPackageError(InputError):
 
 
 class NothingFoundError(IchnographError):
-    """The input is sound, but no result remains; the message says which step removed what."""
+    """The input is sound, but no result remains; the message says which step removed what.
+
+    Parameters
+    ----------
+    message : str
+    warnings : tuple of str
+        What was noticed before, and may be the reason.
+    """
+
+    def __init__(self, message: str, warnings: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.warnings = warnings
 
 
 class CancelledError(IchnographError):

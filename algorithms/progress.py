@@ -1,4 +1,4 @@
-"""How the core tells its caller where it stands, and learns that it shall stop."""
+"""Progress: the core reports how far it is, and asks whether it is cancelled."""
 
 from dataclasses import dataclass
 from typing import Callable
@@ -16,7 +16,7 @@ def _never() -> bool:
 
 @dataclass(frozen=True)
 class Progress:
-    """Two callables of the caller, and the part of the whole that they speak of.
+    """Two callables of the caller, and the part of the whole task that they are about.
 
     Parameters
     ----------

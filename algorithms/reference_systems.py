@@ -87,7 +87,7 @@ def _plane(definition: pyproj.CRS) -> Optional[pyproj.CRS]:
 
 
 def is_local(crs: CRS) -> bool:
-    """Whether a system is tied to no place on earth, such as a scanner's own."""
+    """Whether a system is not tied to the earth, such as a scanner's own."""
     return bool(_definition(crs).is_engineering)
 
 

@@ -8,25 +8,28 @@ Prints a table and leaves layers and pictures in build/accuracy.
 import argparse
 from pathlib import Path
 
+from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.scripts.picture import draw
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.ops import unary_union
 
-from .chain import run_chain
+from .layers import write_layers
 
 TOLERANCES = (0.05, 0.10, 0.20)
 PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
 """Angle and shift of every scene: no wall runs along the pixels, and coordinates are those of a grid."""
 
 CHAINS = {
-    "default": (WallParameters(), True),
-    "REFINE=no": (WallParameters(), False),
-    "REFINE=no MIN_HEIGHT=0": (WallParameters(min_height=0), False),
+    "default": SitePlanSettings(),
+    "REFINE=no": SitePlanSettings(refine=False),
+    "REFINE=no MIN_HEIGHT=0": SitePlanSettings(refine=False, wall_parameters=WallParameters(min_height=0)),
 }
-"""Parameters, and whether outlines are moved to the faces; the last is the paper's plain chain."""
+"""Settings by name; the last are those of the paper's plain chain."""
 
 
 def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str]:
@@ -37,18 +40,19 @@ def measure(name: str, angular_step: float, seed: int, folder: Path) -> list[str
     cloud = folder / f"{name}.laz"
     write_laz(cloud, scan, slice(None), "EPSG:25833")
     rows = []
-    for chain, (parameters, refine) in CHAINS.items():
+    for chain, settings in CHAINS.items():
         stem = f"{name}_{chain.replace('=', '').replace(' ', '_')}"
-        outputs = run_chain([cloud], folder, stem, parameters, refine=refine)
-        walls = unary_union([wall.outline for wall in outputs.plan.walls])
+        plan = make_site_plan(open_cloud([cloud]), settings)
+        density, layer = write_layers(plan, folder, stem)
+        walls = unary_union([wall.outline for wall in plan.walls])
         agreement = compare_plan(walls, scene.truth, TOLERANCES[-1], scan.seen_boundary)
         found = [agreement.at(tolerance) for tolerance in TOLERANCES]
-        draw(outputs.density, outputs.walls, outputs.walls.with_suffix(".png"), scene.truth)
+        draw(density, layer, layer.with_suffix(".png"), scene.truth)
         shares = " | ".join(f"{a.completeness:.2f} / {a.correctness:.2f}" for a in found)
         offset = f"{found[-1].median_offset * 100:.1f} / {found[-1].p95_offset * 100:.1f}"
         rows.append(
-            f"| {name} | {chain} | {outputs.points / 1e6:.1f} | {shares} | {found[0].iou:.2f} | {offset} "
-            f"| {len(outputs.plan.walls)} |"
+            f"| {name} | {chain} | {plan.density.points_in / 1e6:.1f} | {shares} | {found[0].iou:.2f} "
+            f"| {offset} | {len(plan.walls)} |"
         )
     return rows
 

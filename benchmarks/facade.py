@@ -2,8 +2,8 @@
 
 make facade, or: python3 -m ichnograph.benchmarks.facade [--spacing 0.005 0.01 0.02] [--seeds 3]
 
-Prints what was found, missed and invented, how well the outlines agree, the errors of widths and heights,
-and whether the standard deviations tell them. Leaves pictures in build/facade.
+Prints the numbers of details found, missed and invented, the agreement of the outlines, the errors of widths
+and heights, and how many of these are within two standard deviations. Writes pictures to build/facade.
 """
 
 import argparse
@@ -18,13 +18,13 @@ from ichnograph.tests.scenes.facades import FACADES, FacadeScan, FacadeScene
 from ichnograph.tests.scenes.facades.judging import Judgement, in_scene, judge
 
 PLACE = (31.0, (412_345.67, 5_812_345.71, 71.3))
-"""Angle and shift of every facade: coordinates are those of a grid."""
+"""Angle and shift of every facade, to coordinates of a national grid."""
 
 SPACINGS = (0.005, 0.01, 0.02)
 
 
 def points_of(scan: FacadeScan) -> Points:
-    """Return a scan as the core takes it."""
+    """Return a scan as points for the core."""
     origin = np.floor(scan.points.min(axis=0))
     return Points(
         scan.points - origin,
@@ -54,11 +54,12 @@ def draw(scene: FacadeScene, elevation: Elevation, judgement: Judgement, points:
     axes = figure.add_subplot()
     rows = elevation.rows[:: max(len(elevation.rows) // 300_000, 1)]
     uvw = scene.frame.local(points.xyz[rows], points.origin)
-    axes.scatter(*uvw[:, :2].T, s=0.2, c=points.rgb[rows] / 255, linewidths=0)
+    colours = "grey" if points.rgb is None else points.rgb[rows] / 255
+    axes.scatter(*uvw[:, :2].T, s=0.2, c=colours, linewidths=0)
     for part in elevation.wall.geoms:
         axes.plot(*in_scene(part, elevation, scene).exterior.xy, color="magenta", linewidth=0.6)
-    for place in elevation.unseen:
-        axes.plot(*in_scene(place, elevation, scene).exterior.xy, color="black", linestyle=":")
+    for area in elevation.unseen:
+        axes.plot(*in_scene(area, elevation, scene).exterior.xy, color="black", linestyle=":")
     for true in scene.details:
         axes.plot(*true.outline.exterior.xy, color="lime", linewidth=1.2)
     for detail in elevation.details:
@@ -90,11 +91,11 @@ def _row(label: str, judgements: list[Judgement]) -> str:
 
 
 def _each(judgement: Judgement) -> Iterator[str]:
-    """Yield a line for each detail: its errors in millimetres, and what they were said to be."""
+    """Yield a line for each detail: the errors of its edges and their standard deviations, in millimetres."""
     for pair in judgement.pairs:
         edges, stds = 1000 * pair.edges, pair.found.edges
-        said = 1000 * np.array([stds.left, stds.bottom, stds.right, stds.top])
-        sides = "  ".join(f"{error:+6.1f} ({std:4.1f})" for error, std in zip(edges, said))
+        deviations = 1000 * np.array([stds.left, stds.bottom, stds.right, stds.top])
+        sides = "  ".join(f"{error:+6.1f} ({std:4.1f})" for error, std in zip(edges, deviations))
         yield f"  {pair.found.number:3d} {pair.true.kind:16s} {pair.found.shape:9s} {sides}"
     for true in judgement.missed:
         yield f"  missed {true.kind} at {true.outline.centroid.x:.2f}, {true.outline.centroid.y:.2f}"

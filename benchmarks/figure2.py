@@ -9,9 +9,8 @@ from pathlib import Path
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density.density_image import density_image
-from ichnograph.algorithms.site_plan.site_plan import extract_walls
-from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from matplotlib.figure import Figure
@@ -41,8 +40,8 @@ def main() -> None:
     figure = Figure(figsize=(15, 9), layout="constrained")
     for row, pixel_size in zip(figure.subplots(2, 3), PIXEL_SIZES):
         for axes, spacing in zip(row, SPACINGS):
-            image = density_image(open_cloud([cloud]), spacing, pixel_size)
-            plan = extract_walls(image.density, image.heights, image.transform, WallParameters())
+            plan = make_site_plan(open_cloud([cloud]), SitePlanSettings(spacing, pixel_size, refine=False))
+            image = plan.density
             walls = unary_union([wall.outline for wall in plan.walls])
             found = compare_plan(walls, scene.truth, 0.10, scan.seen_boundary)
             print(

@@ -1,14 +1,15 @@
-"""How good plans are over random scenes, turns and shifts: the worst of them, and the median in brackets.
+"""How good plans are over random scenes, rotations and shifts: the worst, and the median in brackets.
 
 make plan, or: python3 -m ichnograph.benchmarks.plan [--scene yard] [--variant full] [--seeds 3]
 
-Every scene is simulated with so many seeds, turned and shifted at random, and scanned as each
-variant says. The columns are explained in docs/accuracy.md.
+Every scene is simulated with several seeds, rotated and shifted at random, and scanned in each
+variant. The columns are explained in docs/accuracy.md.
 """
 
 import argparse
 import os
 import tempfile
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, fields
@@ -20,10 +21,9 @@ import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
-from ichnograph.algorithms.site_plan.faces.refinement import refine_on_points
-from ichnograph.algorithms.site_plan.site_plan import extract_walls
-from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
+from ichnograph.algorithms.site_plan.walls.wall import Wall
 from ichnograph.tests.scenes import SCENES, Scan, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.judging import phantom_length, room_errors, thickness_errors
@@ -40,12 +40,12 @@ SEARCH = 0.20
 CHAINS = ("default", "REFINE=no")
 
 VARIANTS = ("full", "quarter", "noise", "stations")
-"""All points; a quarter of them; 10 mm of range noise; two stations less."""
+"""All points; a quarter of them; 10 mm of range noise; two stations fewer."""
 
 
 @dataclass(frozen=True)
 class Quality:
-    """How good one plan is; lengths in metres, nan where there is nothing to measure.
+    """How good one plan is; lengths in metres, nan if there is nothing to measure.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Quality:
     room_area : float
         Largest error of the area of a room, as a share of it; a room that is lost counts 1.
     phantom : float
-        Length of the longest wall that is none.
+        Length of the longest piece of wall where there is no wall.
     """
 
     completeness: float
@@ -81,11 +81,11 @@ COLUMNS = {
     "room_area": ("room area (%)", 100, "{:.2f}", max),
     "phantom": ("phantom (m)", 1, "{:.1f}", max),
 }
-"""Heading, factor, format, and what is the worst, of each measure."""
+"""Heading, factor and format of each measure, and the function that gives the worst value."""
 
 
 def placed(name: str, seed: int) -> Scene:
-    """Return a scene, turned and shifted at random on a national grid."""
+    """Return a scene, rotated and shifted at random on a national grid."""
     random = np.random.default_rng([seed, 2012])
     shift = (*random.uniform((3e5, 5.2e6), (7e5, 6.1e6)), random.uniform(-50, 900))
     return SCENES[name](seed).moved(random.uniform(0, 360), shift)
@@ -102,7 +102,7 @@ def scanned(scene: Scene, variant: str, angular_step: float, seed: int) -> Scan:
     )
 
 
-def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict:
+def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict[str, Quality]:
     """Return the quality of the plan that each chain makes of a scan, by the name of the chain."""
     scene = placed(name, seed)
     scan = scanned(scene, variant, angular_step, seed)
@@ -113,15 +113,20 @@ def qualities(seed: int, name: str, variant: str, angular_step: float) -> dict:
     return {chain: quality(plans.get(chain, Polygon()), scene, scan) for chain in CHAINS}
 
 
-def outlines(cloud: Path) -> dict:
+def outlines(path: Path) -> dict[str, BaseGeometry]:
     """Return the walls of a cloud with all defaults, by `CHAINS`; those that are not found are missing."""
-    found = {}
-    with sort_and_image(open_cloud([cloud])) as (image, points), suppress(NothingFoundError):
-        plan = extract_walls(image.density, image.heights, image.transform, WallParameters())
-        found["REFINE=no"] = unary_union([wall.outline for wall in plan.walls])
-        refined = refine_on_points(plan, points, image)
-        found["default"] = unary_union([wall.outline for wall in refined.walls])
-    return found
+    cloud = open_cloud([path])
+    with suppress(NothingFoundError):
+        plan = make_site_plan(cloud)
+        return {"default": joined(plan.walls), "REFINE=no": joined(plan.pixel_walls)}
+    with suppress(NothingFoundError):
+        return {"REFINE=no": joined(make_site_plan(cloud, SitePlanSettings(refine=False)).walls)}
+    return {}
+
+
+def joined(walls: Sequence[Wall]) -> BaseGeometry:
+    """Return the outlines of walls as one geometry."""
+    return unary_union([wall.outline for wall in walls])
 
 
 def quality(walls: BaseGeometry, scene: Scene, scan: Scan) -> Quality:

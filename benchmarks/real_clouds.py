@@ -8,16 +8,20 @@ layers and a picture for each: the density image, the outlines of pixels, and th
 
 import argparse
 import gzip
+import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import laspy
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import IchnographError
+from ichnograph.algorithms.site_plan.output.layers import write_walls
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.scripts.picture import draw
 
-from .chain import run_chain
+from .layers import write_layers
 
 SCANS = (".las", ".laz", ".xyz")
 """Extensions of scans; in others there are lists of points."""
@@ -27,7 +31,7 @@ UP_IS_Y = ("indoor",)
 
 
 def scans(folder: Path, work: Path) -> list[tuple[str, Path]]:
-    """Return names and clouds; those in another frame or packing are written anew in `work`."""
+    """Return names and clouds; those in another frame or compressed ones are rewritten in `work`."""
     found = [(path.stem, path) for path in sorted(folder.rglob("*")) if path.suffix.lower() in SCANS]
     ready = [(name, path if name not in UP_IS_Y else upright(path, work)) for name, path in found]
     for packed in sorted(folder.rglob("*.pts.gz")):
@@ -73,18 +77,22 @@ def main() -> None:
     print("| cloud | points | walls | length (m) | seconds | remarks |")
     print("|---|---|---|---|---|---|")
     for name, path in scans(arguments.folder, arguments.out):
+        started = time.perf_counter()
         try:
-            before = run_chain([path], arguments.out, f"{name}_pixels", refine=False)
-            outputs = run_chain([path], arguments.out, name)
+            plan = make_site_plan(open_cloud([path]))
         except IchnographError as error:
             print(f"| {name} | | | | | {error} |", flush=True)
             continue
-        draw(outputs.density, outputs.walls, arguments.out / f"{name}.png", before=before.walls)
-        # A missing coordinate reference system is no news here.
-        remarks = " ".join(warning for warning in outputs.warnings if "reference system" not in warning)
+        density, walls = write_layers(plan, arguments.out, name)
+        seconds = time.perf_counter() - started
+        pixels = arguments.out / f"{name}_pixels_walls.shp"
+        write_walls(pixels, replace(plan, walls=plan.pixel_walls))
+        draw(density, walls, arguments.out / f"{name}.png", before=pixels)
+        # These clouds have no coordinate reference system.
+        remarks = " ".join(warning for warning in plan.warnings if "reference system" not in warning)
         print(
-            f"| {name} | {outputs.points} | {len(outputs.plan.walls)} | {outputs.plan.length:.1f} "
-            f"| {outputs.seconds:.1f} | {remarks} |",
+            f"| {name} | {plan.density.points_in} | {len(plan.walls)} | {plan.length:.1f} "
+            f"| {seconds:.1f} | {remarks} |",
             flush=True,
         )
 

@@ -18,9 +18,9 @@ refused
 Without overlap, every answer is false. Time is the median, and the 95 % quantile, of a whole scan.
 
 The other tools give a pose. A target's control point is then the one within 2 cm, and the pose counts as
-refused if fewer than four targets have one, because none of them tests for chance. Their settings are in
-`registration_peers`. A pose error is the mean distance between the common targets, moved by this pose and by
-the true one; of the right answers, the median is printed.
+refused if fewer than four targets have one, because none of them distinguishes accidental from true matches.
+Their settings are in `registration_peers`. A pose error is the mean distance between the common targets,
+moved by this pose and by the true one; of the right answers, the median is printed.
 """
 
 import argparse
@@ -99,7 +99,12 @@ class Tally:
 
 def ours(scene: TargetScene) -> Answer:
     """Register with the true noise as SIGMA, and defaults."""
-    (scan,) = register_scans(scene.control, [scene.targets], Settings(sigma=NOISE)).scans
+    return registered(scene, Settings(sigma=NOISE))
+
+
+def registered(scene: TargetScene, settings: Settings) -> Answer:
+    """Register with settings."""
+    (scan,) = register_scans(scene.control, [scene.targets], settings).scans
     if not scan.registered:
         return Answer({}, reason=scan.status)
     labels, rejected = (

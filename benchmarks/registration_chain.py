@@ -1,9 +1,9 @@
 """Print whether the errors at the end of a chain of scans are as large as predicted.
 
-Twenty scans in a row; only the first sees surveyed points, each other one is tied to targets of the one
+Twenty scans in a row: only the first sees surveyed points, the others are registered to targets of the one
 before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains)
-is 1 if the covariance of appended points is propagated correctly. It is printed for scans one after another,
-and for the block adjustment.
+is 1 if the covariance of appended points is propagated correctly: once for each scan after the other, and
+once after the block adjustment.
 """
 
 import argparse
@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from ichnograph.algorithms.registration.adjustment.control_network import Network
+from ichnograph.algorithms.registration.adjustment.control_network import ControlNetwork
 from ichnograph.algorithms.registration.registration import reduced, register_scans
-from ichnograph.algorithms.registration.sequential_registration import grow
+from ichnograph.algorithms.registration.sequential_registration import register_in_sequence
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 
@@ -44,8 +44,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
 def _one_by_one(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
     """Return ratio and length of the errors of the targets at the end, without the block adjustment."""
     control, origin = reduced(chain.control)
-    network = Network.of_surveyed(control.names, control.xyz, settings.control_sigma)
-    network = grow({scan.name: reduced(scan)[0] for scan in chain.scans}, network, settings).network
+    network = ControlNetwork.of_surveyed(control.names, control.xyz, settings.control_sigma)
+    scans = {scan.name: reduced(scan)[0] for scan in chain.scans}
+    network = register_in_sequence(scans, network, settings).network
     last = chain.scans[-1].name
     return [
         _compared(
@@ -67,9 +68,9 @@ def _in_one_block(chain: TargetChain, settings: Settings) -> list[tuple[float, f
 
 
 def _compared(
-    place: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
+    position: np.ndarray, covariance: np.ndarray, chain: TargetChain, target: str
 ) -> tuple[float, float]:
-    error = place - chain.places[chain.scans[-1].name][target]
+    error = position - chain.places[chain.scans[-1].name][target]
     return float(np.sqrt(error @ np.linalg.solve(covariance, error) / 3)), float(np.linalg.norm(error))
 
 

@@ -54,7 +54,7 @@ def draw_errors(panels: list[Axes], simulation: Simulation) -> None:
     """Draw how the errors of the parameters are distributed over the trials that succeeded."""
     successes = simulation.successes
     errors = {
-        "error of the scanner's position (mm)": [1000 * trial.shift_error for trial in successes],
+        "error of the station (mm)": [1000 * trial.shift_error for trial in successes],
         "error of the rotation (degrees)": [trial.rotation_error for trial in successes],
         "sigma0, a posteriori over a priori": [trial.sigma0 for trial in successes],
     }

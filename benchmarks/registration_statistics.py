@@ -19,13 +19,14 @@ from dataclasses import replace
 
 import numpy as np
 from ichnograph.algorithms.registration.adjustment.least_squares import Block, Sighting, adjust
+from ichnograph.algorithms.registration.adjustment.settings import OutlierTestSettings
 from ichnograph.algorithms.registration.adjustment.similarity import fit_pose
-from ichnograph.algorithms.registration.adjustment.statistical_tests import ALPHA, CRITICAL_W, POWER
 from ichnograph.algorithms.registration.settings import Model
 from ichnograph.tests.scenes.targets import CORNER, TargetScene, target_scene
 from scipy import stats
 from scipy.spatial.transform import Rotation
 
+TESTS = OutlierTestSettings()
 TARGETS = 8
 NOISE = 0.003
 CONFIDENCE = 0.95
@@ -39,7 +40,7 @@ def measure(model: Model, trials: int) -> str:
     a_priori, a_posteriori, alarms, detected = (np.array(values) for values in zip(*found))
     return (
         f"| {model.name.lower()} | {_share(a_priori, CONFIDENCE)} | {_share(a_posteriori, CONFIDENCE)} "
-        f"| {_share(alarms.ravel(), ALPHA)} | {_share(detected, POWER)} |"
+        f"| {_share(alarms.ravel(), TESTS.significance)} | {_share(detected, TESTS.power)} |"
     )
 
 
@@ -59,8 +60,8 @@ def trial(model: Model, seed: int) -> tuple[bool, bool, np.ndarray, bool]:
     return (
         squares < stats.chi2.ppf(CONFIDENCE, model.unknowns),
         by_sigma0 < stats.f.ppf(CONFIDENCE, model.unknowns, block.redundancy),
-        np.abs(block.targets[0].normalized) > CRITICAL_W,
-        np.abs(biased.targets[0].normalized[coordinate]) > CRITICAL_W,
+        np.abs(block.targets[0].normalized) > TESTS.critical_w,
+        np.abs(biased.targets[0].normalized[coordinate]) > TESTS.critical_w,
     )
 
 
@@ -76,10 +77,12 @@ def parameter_error(block: Block, scene: TargetScene, model: Model) -> np.ndarra
     """Return estimate minus truth of the parameters, in the order of the adjustment."""
     pose, true = block.poses[0], scene.matrix
     scale = np.cbrt(np.linalg.det(true[:3, :3]))
-    place = true[:3, :3] @ pose.centre + true[:3, 3] - CORNER
-    turn = Rotation.from_matrix(pose.rotation @ true[:3, :3].T / scale).as_rotvec()
-    growth = [pose.scale / scale - 1.0] if model.scaled else []
-    return np.concatenate([pose.place - place, turn[2:] if model.levelled else turn, growth])
+    position = true[:3, :3] @ pose.centre + true[:3, 3] - CORNER
+    rotation = Rotation.from_matrix(pose.rotation @ true[:3, :3].T / scale).as_rotvec()
+    scale_error = [pose.scale / scale - 1.0] if model.scaled else []
+    return np.concatenate(
+        [pose.position - position, rotation[2:] if model.levelled else rotation, scale_error]
+    )
 
 
 def with_bias(scene: TargetScene, coordinate: tuple[int, int], bias: float) -> TargetScene:

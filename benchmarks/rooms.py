@@ -6,17 +6,20 @@ Prints the largest errors of areas over all seeds: between the true walls, and b
 """
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
-from ichnograph.tests.scenes import SCENES
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.site_plan.rooms.rooms import Room, find_rooms
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
+from ichnograph.tests.scenes import SCENES, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
 from .accuracy import PLACE
-from .chain import run_chain
 
 NAMES = ("interior", "rooms")
 """Scenes whose walls close rooms from all sides, but for doors."""
@@ -25,14 +28,14 @@ EXACT = 0.005
 """Largest share of its area by which a room is off, and still counts as within."""
 
 
-def true_rooms(scene) -> list[Polygon]:
+def true_rooms(scene: Scene) -> list[Polygon]:
     """Return the spaces between the walls of a scene with its doors walled up."""
     solid = [prism.footprint for prism in scene.prisms if prism.material in ("wall", "lintel")]
     filled = unary_union([scene.pose.geometry(part).buffer(1e-6, join_style=2) for part in solid])
     return [Polygon(ring) for ring in filled.interiors]
 
 
-def errors(found: tuple, true: list[Polygon]) -> list[float]:
+def errors(found: Sequence[Room], true: list[Polygon]) -> list[float]:
     """Return the error of the area of each true room, as a share of it; nan if no room is there."""
     rooms = [
         next((room for room in found if room.outline.contains(space.representative_point())), None)
@@ -50,8 +53,8 @@ def measure(name: str, angular_step: float, seeds: int, folder: Path) -> str:
         true = true_rooms(scene)
         ideal += errors(find_rooms(scene.truth.geoms), true)
         write_laz(folder / "scan.laz", scene.scan(angular_step, seed=seed), slice(None), "EPSG:25833")
-        plan = run_chain([folder / "scan.laz"], folder, f"{name}_{seed}").plan
-        found = find_rooms(wall.outline for wall in plan.walls)
+        plan = make_site_plan(open_cloud([folder / "scan.laz"]), SitePlanSettings(with_rooms=True))
+        found = plan.rooms or ()
         real += errors(found, true)
         surplus += len(found) - len(true)
     worst = [100 * np.nanmax(np.abs(values)) for values in (ideal, real)]

@@ -26,8 +26,8 @@ LAYERS = (".shp", ".dbf", ".shx", ".prj", ".tif", ".json", ".csv")
 
 
 def run(algorithm: str, *arguments: str) -> None:
-    """Run an algorithm; what it refuses leaves no file, which shows in the digests."""
-    command = [ROOT / "scripts" / "qgis_process", "run", f"ichnograph:{algorithm}", "--", *arguments]
+    """Run an algorithm; if it refuses its input, its files are missing from the digests."""
+    command = [str(ROOT / "scripts" / "qgis_process"), "run", f"ichnograph:{algorithm}", "--", *arguments]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         errors = [line for line in done.stderr.splitlines() if line.strip()]
@@ -35,9 +35,9 @@ def run(algorithm: str, *arguments: str) -> None:
 
 
 def simulate(module: str, name: str, path: Path, *arguments: str) -> Path:
-    """Write a simulated scan, unless it is there."""
+    """Write a simulated scan, unless it exists."""
     if not path.exists():
-        command = [sys.executable, "-m", module, name, path, *arguments]
+        command = [sys.executable, "-m", module, name, str(path), *arguments]
         subprocess.run(command, check=True, env={**os.environ, "PYTHONPATH": python_path()})
     return path
 
@@ -93,7 +93,7 @@ def simulated(out: Path) -> None:
             simulate("ichnograph.tests.scenes.facades", name, path, "--spacing", "0.02", *PLACE), out / name
         )
     control = out / "control.txt"
-    options = (*COARSE, "--survey", control, *PLACE[:5])
+    options = (*COARSE, "--survey", str(control), *PLACE[:5])
     simulate("ichnograph.tests.scenes", "ruins", out / "survey.laz", *options)
     registration(control, sorted(out.glob("survey_*.txt")), out / "survey", "CRS=EPSG:25833")
 

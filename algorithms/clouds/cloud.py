@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional, Union
+from typing import Optional, TypeVar, Union
 
 import numpy as np
 from rasterio.crs import CRS
@@ -12,7 +12,10 @@ from ..errors import InputError
 from ..progress import Progress
 from ..reference_systems import horizontal, name_of, require_metres
 from .formats import format_of, readable_formats
+from .settings import ReadingSettings
 from .source import Chunk, Source, unreadable
+
+SourceKind = TypeVar("SourceKind", bound=Source)
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,9 @@ class Cloud:
     crs: Optional[CRS]
     warnings: tuple[str, ...]
 
-    def chunks(self, progress: Progress = Progress(), size: int = 1_000_000) -> Iterator[Chunk]:
+    def chunks(
+        self, progress: Progress = Progress(), size: int = ReadingSettings.chunk_points
+    ) -> Iterator[Chunk]:
         """Yield the points of all files in order; can be called any number of times.
 
         Parameters
@@ -48,7 +53,7 @@ class Cloud:
         Raises
         ------
         InputError
-            If a file turns out to be truncated or damaged.
+            If a file is truncated or damaged.
         CancelledError
             If the caller asked to stop.
         """
@@ -56,7 +61,7 @@ class Cloud:
             yield from source.chunks(self.origin, part, size)
 
 
-def parts(sources: Sequence[Source], progress: Progress) -> Iterator[tuple[Source, Progress]]:
+def parts(sources: Sequence[SourceKind], progress: Progress) -> Iterator[tuple[SourceKind, Progress]]:
     """Yield every source with its part of the progress, in proportion to the bytes."""
     sizes = [source.path.stat().st_size for source in sources]
     ends = np.cumsum(sizes) / sum(sizes)
@@ -64,14 +69,19 @@ def parts(sources: Sequence[Source], progress: Progress) -> Iterator[tuple[Sourc
         yield source, progress.part(start, stop)
 
 
-def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> Cloud:
+def open_cloud(
+    paths: Sequence[Union[str, Path]],
+    crs: Optional[CRS] = None,
+    settings: ReadingSettings = ReadingSettings(),
+) -> Cloud:
     """Open scan files as one site.
 
     Parameters
     ----------
     paths : sequence of str or Path
     crs : CRS, optional
-        For the files that name none themselves.
+        For the files that do not state one.
+    settings : ReadingSettings
 
     Raises
     ------
@@ -79,7 +89,7 @@ def open_cloud(paths: Sequence[Union[str, Path]], crs: Optional[CRS] = None) -> 
         If a file is missing, empty, truncated, of another format than its extension says or
         of an unknown one, or if the coordinates are not metres of one reference system.
     """
-    sources = open_sources(paths)
+    sources = open_sources(paths, settings)
     common, warnings = _common_crs(sources, crs)
     middle = sources[0].middle
     return Cloud(
@@ -112,19 +122,21 @@ def clouds_in(folder: Path) -> list[Path]:
     return certain or clouds
 
 
-def open_sources(paths: Sequence[Union[str, Path]]) -> tuple[Source, ...]:
+def open_sources(
+    paths: Sequence[Union[str, Path]], settings: ReadingSettings = ReadingSettings()
+) -> tuple[Source, ...]:
     """Open scan files, each in a coordinate system of its own; see `open_cloud`."""
     if not paths:
         raise InputError("No point cloud was given; choose at least one file.")
     files = [Path(path) for path in paths]
-    places = [path.resolve() for path in files]
-    repeated = next((path for i, path in enumerate(files) if places[i] in places[:i]), None)
+    resolved = [path.resolve() for path in files]
+    repeated = next((path for i, path in enumerate(files) if resolved[i] in resolved[:i]), None)
     if repeated:
         raise InputError(f"{repeated} is listed twice; remove one entry.")
-    return tuple(_open(path) for path in files)
+    return tuple(_open(path, settings) for path in files)
 
 
-def _open(path: Path) -> Source:
+def _open(path: Path, settings: ReadingSettings) -> Source:
     known = format_of(path)
     if known is None:
         raise InputError(f"{path} has an unknown extension; convert it to {readable_formats()}.")
@@ -132,12 +144,12 @@ def _open(path: Path) -> Source:
         raise InputError(f"{path} does not exist or is not a file; check the name and the folder.")
     if path.stat().st_size == 0:
         raise InputError(f"{path} is empty; copy or export it again.")
-    source: Source = known.open(path)
+    source: Source = known.open(path, settings)
     return source
 
 
 def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Optional[CRS], tuple[str, ...]]:
-    """Return the reference system of all sources, and what is to be said about it."""
+    """Return the reference system of all sources, and what the user should know about it."""
     if chosen is not None:
         chosen = horizontal(chosen)
         require_metres(chosen, "the cloud in the chosen coordinate reference system")
@@ -159,7 +171,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if silent:
         return common, (
             f"There is no coordinate reference system in {names_of(silent)}, so {name_of(common)} "
-            "of the other files is taken.",
+            "of the other files is used for them.",
         )
     if chosen is not None and chosen != common:
         return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)

@@ -62,7 +62,7 @@ class ThinningSettings:
         4.0, "Small enough for a tile to stay in the processor's cache; which points are kept depends on it."
     )
     waiting_tiles: int = judged(
-        2, "For each processor: fewer leave processors idle, more hold points in memory to no use."
+        2, "For each processor: fewer leave processors idle, more hold points in memory without gain."
     )
 
 
@@ -71,7 +71,12 @@ class WritingSettings:
     """How finely coordinates are stored, and how many points are written at a time."""
 
     coarsest_step_m: float = judged(1e-4, "A tenth of a millimetre is finer than any scanner measures.")
-    finest_step_m: float = physical(1e-5, "With finer steps, 32 bits do not span 20 km.")
+    finest_step_m: float = physical(
+        1e-5,
+        "At this step the 32 bits of LAS span 43 km; finer ones could not hold a site with distant points.",
+    )
+    text_decimals: int = judged(5, "Ten micrometres: coordinates of LAS files of a finest step survive.")
+    normal_decimals: int = judged(6, "A direction to a millionth, finer than normals are estimated.")
     chunk_points: int = judged(
         1_000_000, "Smaller chunks spend time between them, larger ones take memory and gain nothing."
     )

@@ -1,4 +1,4 @@
-"""What every cloud format offers: one open file that streams its points in chunks."""
+"""What the reader of every cloud format offers: a file that streams its points in chunks."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ class Chunk:
     attributes : dict of str to ndarray, shape (n,)
         What else the points have, by name; see `Source.attributes`.
     scan : ndarray of int, shape (n,), or None
-        Which scan of the file each point is from; None if the file does not tell.
+        The scan of the file that each point is from; None if the file does not say.
     """
 
     xyz: np.ndarray
@@ -40,7 +40,7 @@ class Chunk:
 
 @dataclass(frozen=True)
 class Source(ABC):
-    """A file that was looked into and can be streamed any number of times.
+    """A file whose beginning was examined and that can be streamed any number of times.
 
     It holds no open file, so it can be sent to another process.
 
@@ -48,11 +48,11 @@ class Source(ABC):
     ----------
     path : Path
     crs : CRS or None
-        Horizontal coordinate reference system that the file itself names.
+        Horizontal coordinate reference system that the file itself states.
     warnings : tuple of str
         What the user should know about this file, in sentences.
     middle : ndarray of float64, shape (3,)
-        A place amid the points, in the coordinates of the file.
+        A position amid the points, in the coordinates of the file.
     has_intensity, has_rgb : bool
         Whether the chunks carry them.
     """
@@ -66,7 +66,7 @@ class Source(ABC):
 
     @property
     def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
-        """Names and types of what the chunks carry besides; normals are turned as the points are."""
+        """Names and types of what else the chunks carry; normals are rotated with the points."""
         return ()
 
     @abstractmethod
@@ -76,21 +76,21 @@ class Source(ABC):
         Raises
         ------
         InputError
-            If the file turns out to be truncated or damaged.
+            If the file is truncated or damaged.
         CancelledError
             If the caller asked to stop.
         """
 
 
 def unreadable(path: Path, error: OSError) -> InputError:
-    """Return the error for a file that the system does not let us read."""
+    """Return the error for a file that the operating system refuses to read."""
     reason = error.strerror or error
-    return InputError(f"{path} cannot be read ({reason}); check that it exists and may be read.")
+    return InputError(f"{path} cannot be read ({reason}); check that it exists and that you may read it.")
 
 
 def truncated(path: Path, detail: str) -> InputError:
     """Return the error for a file that ends early."""
-    return InputError(f"{path} is truncated, for {detail}; copy or export it again.")
+    return InputError(f"{path} is truncated ({detail}); copy or export it again.")
 
 
 def no_points(path: Path) -> InputError:

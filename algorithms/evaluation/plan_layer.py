@@ -3,9 +3,10 @@
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Optional
+from typing import Optional, Union
 
 from rasterio.crs import CRS
+from shapely.geometry import LineString
 
 from ..vector import write_vector
 from .plan import PlanAgreement
@@ -30,7 +31,7 @@ def write_errors(path: Path, agreement: PlanAgreement, crs: Optional[CRS]) -> No
     write_vector(path, "LineString", FIELDS, _features(agreement), crs)
 
 
-def _features(agreement: PlanAgreement) -> Iterator[tuple]:
+def _features(agreement: PlanAgreement) -> Iterator[tuple[LineString, dict[str, Union[str, float, None]]]]:
     for stretch in sorted(agreement.stretches(), key=lambda stretch: stretch.max_offset):
         offsets = {"offset": stretch.offset, "max_offset": stretch.max_offset}
         known = {name: value if math.isfinite(value) else None for name, value in offsets.items()}

@@ -34,11 +34,16 @@ def read_points(
     """
     has_rgb = _all_have(cloud, "has_rgb", "colour", progress)
     has_intensity = _all_have(cloud, "has_intensity", "intensity", progress)
-    xyz, rgb, intensity, scans = [], [], [], []
+    xyz: list[np.ndarray] = []
+    rgb: list[np.ndarray] = []
+    intensity: list[np.ndarray] = []
+    scans: list[np.ndarray] = []
     for number, chunk in _chunks(cloud, progress):
         xyz.append(chunk.xyz)
-        rgb.append((chunk.rgb / np.float32(257)).astype(np.float32) if has_rgb else None)
-        intensity.append(chunk.intensity.astype(np.float32) if has_intensity else None)
+        if has_rgb and chunk.rgb is not None:
+            rgb.append((chunk.rgb / np.float32(257)).astype(np.float32))
+        if has_intensity and chunk.intensity is not None:
+            intensity.append(chunk.intensity.astype(np.float32))
         within = np.zeros(len(chunk.xyz), np.int64) if chunk.scan is None else chunk.scan
         scans.append(number * (1 << 32) + within)
     _, scan = np.unique(np.concatenate(scans), return_inverse=True)

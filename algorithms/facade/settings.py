@@ -17,8 +17,12 @@ class ThinningSettings:
     most_points: int = physical(
         6_000_000, "A triangulation of more points needs more memory than most computers have."
     )
-    finest_m: float = physical(0.002, "The first distance that points are thinned to: their noise.")
-    coarser: float = judged(1.05, "Each further distance is larger by this factor at least.")
+    finest_m: float = physical(
+        0.002, "The first distance that points are thinned to; it grows until few enough remain."
+    )
+    coarser: float = judged(
+        1.05, "Each further distance is larger by at least this factor, so that the search ends."
+    )
 
 
 @dataclass(frozen=True)

@@ -8,32 +8,22 @@ from scipy.optimize import least_squares
 from .curves import Arc
 
 
-def fit_arc(points: np.ndarray) -> Optional[Arc]:
-    """Return the circle through points, shape (n, 2), by Kasa's fit; None if they lie on a line."""
-    middle = points.mean(axis=0)
-    local = points - middle
-    unknowns, _, rank, _ = np.linalg.lstsq(
-        np.column_stack([2 * local, np.ones(len(local))]), (local**2).sum(axis=1), rcond=1e-9
-    )
-    if rank < 3:
-        return None
-    return Arc(middle + unknowns[:2], float(np.sqrt(unknowns[2] + unknowns[:2] @ unknowns[:2])))
-
-
-def arc_through(xy: np.ndarray) -> Arc:
-    """Return the arc through a row of points, shape (n, 2), in their order (Kasa 1976)."""
+def arc_through(xy: np.ndarray) -> Optional[Arc]:
+    """Return the arc through a row of points, shape (n, 2), in their order (Kasa 1976); None on a line."""
     middle = xy.mean(axis=0)
     local = xy - middle
-    square = (local**2).sum(axis=1)
-    a, b, c = np.linalg.lstsq(np.column_stack([local, np.ones(len(xy))]), square, rcond=None)[0]
-    centre = np.array([a, b]) / 2
+    design = np.column_stack([2 * local, np.ones(len(xy))])
+    (x, y, square), _, rank, _ = np.linalg.lstsq(design, (local**2).sum(axis=1), rcond=1e-9)
+    if rank < 3:
+        return None
+    centre = np.array([x, y])
     steps = np.diff(local - centre, axis=0)
     rays = (local[:-1] + local[1:]) / 2 - centre
     sense = 1 if (rays[:, 0] * steps[:, 1] - rays[:, 1] * steps[:, 0]).sum() > 0 else -1
     # Counted from the middle of the row, so that a row of less than a full circle does not pass the cut.
     halfway = local[len(local) // 2] - centre
-    radius = float(np.sqrt(c + centre @ centre))
-    return Arc(centre + middle, radius, sense, float(np.arctan2(halfway[1], halfway[0])))
+    radius = float(np.sqrt(square + centre @ centre))
+    return Arc(middle + centre, radius, sense, float(np.arctan2(halfway[1], halfway[0])))
 
 
 def fit_circle_on_axis(

@@ -1,15 +1,9 @@
 """Lines and arcs that run from a start to an end: faces and centrelines of walls."""
 
 from dataclasses import dataclass, replace
-from typing import Union
+from typing import Optional, Union
 
 import numpy as np
-
-CHORD = 0.002
-"""Largest distance (m) of the chords of a face from the arc that they stand for."""
-
-SAGITTA = 0.001
-"""The same for a centreline."""
 
 
 def left_of(direction: np.ndarray) -> np.ndarray:
@@ -58,11 +52,11 @@ class Line:
         """Return the nearest point on the line."""
         return self.at(self.station(point))
 
-    def run(self, start: float, stop: float) -> np.ndarray:
-        """Return the corners of the line from one station to another."""
+    def run(self, start: float, stop: float, chord_m: float) -> np.ndarray:
+        """Return the corners of the line from one station to another; `chord_m` is for arcs."""
         return self.at(np.array([start, stop]))
 
-    def between(self, row: np.ndarray) -> np.ndarray:
+    def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the line from the first to the last of a row of points."""
         return np.array([self.foot(row[0]), self.foot(row[-1])])
 
@@ -110,8 +104,8 @@ class Arc:
 
     centre: np.ndarray
     radius: float
-    sense: int = 1
-    zero: float = 0.0
+    sense: int
+    zero: float
 
     def station(self, xy: np.ndarray) -> np.ndarray:
         """Return how far along the arc points (n, 2) are, metres; within half a circle of the zero."""
@@ -125,15 +119,17 @@ class Arc:
 
     def distances(self, xy: np.ndarray) -> np.ndarray:
         """Return how far from the circle points (n, 2) are, metres."""
-        return np.abs(np.linalg.norm(xy - self.centre, axis=1) - self.radius)
+        return np.abs(self.offset(xy))
 
     def ends(self, row: np.ndarray) -> np.ndarray:
         """Return the stations of the first and the last of a row of points, up to half a circle each way."""
+        return np.clip(self._ends(row), -np.pi * self.radius, np.pi * self.radius)
+
+    def _ends(self, row: np.ndarray) -> np.ndarray:
         x, y = (row - self.centre).T
         angle = self.sense * np.unwrap(np.arctan2(y, x))
         middle = len(row) // 2
-        ends = self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
-        return np.clip(ends, -np.pi * self.radius, np.pi * self.radius)
+        return self.station(row[middle]) + self.radius * (angle[[0, -1]] - angle[middle])
 
     def at(self, station: np.ndarray) -> np.ndarray:
         """Return the points at stations."""
@@ -144,18 +140,15 @@ class Arc:
         """Return the nearest point on the circle."""
         return self.centre + self.radius * self._ray(point)
 
-    def run(self, start: float, stop: float) -> np.ndarray:
-        """Return the corners of the arc from one station to another, its chords within `CHORD` of it."""
-        step = 2 * np.sqrt(2 * CHORD * self.radius)
+    def run(self, start: float, stop: float, chord_m: float) -> np.ndarray:
+        """Return the corners of the arc from one station to another, its chords within `chord_m` of it."""
+        step = 2 * np.sqrt(2 * chord_m * self.radius)
         return self.at(np.linspace(start, stop, max(int(np.ceil(abs(stop - start) / step)), 1) + 1))
 
-    def between(self, row: np.ndarray) -> np.ndarray:
+    def between(self, row: np.ndarray, chord_m: float) -> np.ndarray:
         """Return the corners of the arc from the first to the last of a row of points."""
-        angles = np.unwrap(np.arctan2(*(row - self.centre).T[::-1]))
-        step = 2 * np.arccos(1 - min(SAGITTA / self.radius, 0.5))
-        count = max(int(np.ceil(abs(angles[-1] - angles[0]) / step)), 1)
-        angles = np.linspace(angles[0], angles[-1], count + 1)
-        return self.centre + self.radius * np.column_stack([np.cos(angles), np.sin(angles)])
+        start, stop = self._ends(row)
+        return self.run(start, stop, chord_m)
 
     def heading(self, xy: np.ndarray) -> np.ndarray:
         """Return the direction of the arc beside points (n, 2)."""
@@ -200,9 +193,15 @@ def line_through(xy: np.ndarray) -> Line:
     return Line(xy.mean(axis=0), xy[-1] - xy[0]).fitted(xy, np.ones(len(xy)))
 
 
-def fit_line(points: np.ndarray) -> Line:
-    """Return the line of least squared distances from points, shape (n, 2), n >= 2."""
-    middle = points.mean(axis=0)
-    axes = np.linalg.svd(points - middle, full_matrices=False)[2]
-    forward = axes[0] if (points[-1] - points[0]) @ axes[0] >= 0 else -axes[0]
-    return Line(middle, forward)
+def crossing(one: Curve, other: Curve, near: np.ndarray) -> Optional[np.ndarray]:
+    """Return the point that two curves share nearest to a point; None if they do not meet there.
+
+    Newton's method: two steps suffice for lines, and a few for arcs.
+    """
+    point = np.array(near, float)
+    for _ in range(8):
+        across = np.stack([left_of(one.heading(point)), left_of(other.heading(point))])
+        if abs(np.linalg.det(across)) < 1e-3:
+            return None
+        point = point - np.linalg.solve(across, [one.offset(point), other.offset(point)])
+    return point if max(abs(one.offset(point)), abs(other.offset(point))) < 1e-6 else None

@@ -7,7 +7,7 @@ import numpy as np
 
 def product(vectors: np.ndarray, linear: np.ndarray) -> np.ndarray:
     """Return the matrix `linear`, shape (3, 3), times each of `vectors`, shape (n, 3)."""
-    # Column by column, for a product of matrices may round otherwise where the chunks are cut otherwise.
+    # Column by column: how a product of matrices rounds may depend on how the chunks are cut.
     return vectors[:, :1] * linear[:, 0] + vectors[:, 1:2] * linear[:, 1] + vectors[:, 2:] * linear[:, 2]
 
 

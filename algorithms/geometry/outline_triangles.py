@@ -1,30 +1,27 @@
 """Triangles that fill the walls and the space around them, from which axes and rooms are read.
 
 The corners are sampled from the outlines, so densely that every piece of an outline is the side of a
-triangle. The triangles are Delaunay's: a side across a wall or a passage is the shortest way across, near
-enough, and its middle lies on the centreline.
+triangle. The triangles are Delaunay's: a side across a wall or a passage is nearly the shortest way across,
+and its middle lies on the centreline.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import Delaunay
 from shapely.affinity import translate
+from shapely.geometry import LinearRing, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 
 from .linked_parts import label_linked
+from .settings import OutlineMeshSettings
 from .triangulation import triangle_areas
-
-SPACING = 0.1
-"""Largest distance of samples along an outline, in metres."""
 
 SNAP = 1e-4
 """Corners nearer than this to each other, in metres, are one."""
-
-ROUNDS = 20
-"""How often pieces of outlines that are no sides of triangles are halved, so that thin walls are tight."""
 
 
 @dataclass(frozen=True)
@@ -105,26 +102,34 @@ class Sides:
     lengths: np.ndarray
 
 
-def triangulate_outlines(outlines: Iterable, margin: float = 1.0) -> OutlineMesh:
+def triangulate_outlines(
+    outlines: Iterable[Polygon],
+    settings: OutlineMeshSettings = OutlineMeshSettings(),
+    margin: float = 0.0,
+) -> OutlineMesh:
     """Triangulate walls and the space around them.
 
     Parameters
     ----------
     outlines : iterable of Polygon
         Walls, in world coordinates; they may overlap and touch. At least one.
+    settings : OutlineMeshSettings
     margin : float
-        How far the space reaches beyond them, in metres.
+        How far the space reaches beyond them at least, in metres.
     """
+    margin = max(margin, settings.margin_m)
     outlines = list(outlines)
     # Large coordinates would cost the triangles their digits.
     origin = np.round(outlines[0].bounds[:2])
     united = unary_union([translate(outline, *-origin).buffer(0) for outline in outlines])
     rings = [
-        _sampled(ring, SPACING) for part in _polygons(united) for ring in (part.exterior, *part.interiors)
+        _sampled(ring, settings.spacing_m)
+        for part in _polygons(united)
+        for ring in (part.exterior, *part.interiors)
     ]
     frame = _sampled(united.envelope.buffer(margin, join_style=2).exterior, margin)
     points, pieces = _indexed(rings, frame)
-    for _ in range(ROUNDS):
+    for _ in range(settings.rounds):
         delaunay = Delaunay(points)
         missing = ~np.isin(_names(pieces), _names(_all_sides(delaunay.simplices)))
         if not missing.any():
@@ -133,11 +138,11 @@ def triangulate_outlines(outlines: Iterable, margin: float = 1.0) -> OutlineMesh
     return _mesh(origin, points, delaunay, pieces)
 
 
-def _polygons(geometry) -> list:
+def _polygons(geometry: BaseGeometry) -> list[Polygon]:
     return [orient(part) for part in getattr(geometry, "geoms", [geometry]) if part.area > 0]
 
 
-def _sampled(ring, spacing: float) -> np.ndarray:
+def _sampled(ring: LinearRing, spacing: float) -> np.ndarray:
     """Return the corners of a ring and points between them, without the last one."""
     corners = np.round(np.asarray(ring.coords)[:, :2] / SNAP) * SNAP
     steps = np.linalg.norm(np.diff(corners, axis=0), axis=1)
@@ -147,7 +152,7 @@ def _sampled(ring, spacing: float) -> np.ndarray:
     return corners[start] + share[:, None] * np.diff(corners, axis=0)[start]
 
 
-def _indexed(rings: list, frame: np.ndarray) -> tuple:
+def _indexed(rings: Sequence[np.ndarray], frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the distinct points of all rings, and the pieces of the rings as pairs of them."""
     lengths = [len(ring) for ring in rings]
     starts = np.cumsum([0, *lengths[:-1]])
@@ -159,7 +164,7 @@ def _indexed(rings: list, frame: np.ndarray) -> tuple:
     return unique * (SNAP / 100), pieces[pieces[:, 0] != pieces[:, 1]]
 
 
-def _halved(points: np.ndarray, pieces: np.ndarray, which: np.ndarray) -> tuple:
+def _halved(points: np.ndarray, pieces: np.ndarray, which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     middles = points[pieces[which]].mean(axis=1)
     new = len(points) + np.arange(len(middles))
     halves = np.column_stack([pieces[which, 0], new, new, pieces[which, 1]]).reshape(-1, 2)
@@ -181,7 +186,7 @@ def _directed(sides: np.ndarray) -> np.ndarray:
 
 
 def _mesh(origin: np.ndarray, points: np.ndarray, delaunay: Delaunay, pieces: np.ndarray) -> OutlineMesh:
-    """Tell the triangles inside the walls: those on the left of an outline, and all up to the next one."""
+    """Return the mesh; inside walls are the triangles left of an outline, and all up to the next one."""
     triangles, neighbours = delaunay.simplices, delaunay.neighbors
     sides = _all_sides(triangles)
     on_left = np.isin(_directed(sides), _directed(pieces)).reshape(-1, 3)

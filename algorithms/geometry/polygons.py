@@ -5,21 +5,20 @@ from collections.abc import Sequence
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 from shapely.validation import make_valid
 
-BRIDGE = 0.002
-"""Overlap (m) of the bridge between parts of a wall that its sides have come apart into."""
-
-FARTHEST = 0.2
-"""Parts farther from each other than this (m) are walls of their own."""
-
-SHORTEST = 0.5
-"""Unless their outline is shorter than this, metres."""
+from .settings import BridgeSettings
 
 
-def polygons_between(rings: Sequence, origin: tuple, within: Polygon) -> list:
-    """Return the polygons of an outer ring and its holes, made valid, the largest first; none of nothing.
+def polygons_between(
+    rings: Sequence[np.ndarray],
+    origin: tuple[float, float],
+    within: Polygon,
+    settings: BridgeSettings = BridgeSettings(),
+) -> list[Polygon]:
+    """Return the polygons of an outer ring and its holes, made valid, the largest first.
 
     The two faces of a thin wall may cross; the wall is then between them on either side of the crossing.
     Parts are joined where they are near each other.
@@ -32,26 +31,28 @@ def polygons_between(rings: Sequence, origin: tuple, within: Polygon) -> list:
         Where the coordinates of the rings begin, in world coordinates.
     within : Polygon
         What lies outside is cut off; world coordinates.
+    settings : BridgeSettings
     """
     outer, *holes = (_valid(Polygon(ring) if len(ring) >= 3 else Polygon()) for ring in rings)
     shape = outer.symmetric_difference(unary_union(holes)) if holes else outer
-    first, *others = _joined(_valid(translate(shape, *origin)).intersection(within)) or [None]
-    return [first, *(part for part in others if part.length >= SHORTEST)] if first else []
+    whole = _valid(translate(shape, *origin)).intersection(within)
+    parts = _joined(whole, settings)
+    return parts[:1] + [part for part in parts[1:] if part.length >= settings.shortest_m]
 
 
-def _valid(geometry):
+def _valid(geometry: BaseGeometry) -> BaseGeometry:
     return geometry if geometry.is_valid else make_valid(geometry).buffer(0)
 
 
-def _joined(geometry) -> list:
+def _joined(geometry: BaseGeometry, settings: BridgeSettings) -> list[Polygon]:
     """Return the parts of a geometry, those near each other bridged to one, the largest first."""
     parts, found = sorted(polygons_of(geometry), key=lambda part: -part.area), []
     while parts:
         whole, left = parts.pop(0), []
         while parts:
             distances = [whole.distance(part) for part in parts]
-            part, reach = parts.pop(int(np.argmin(distances))), min(distances) + BRIDGE
-            if reach > FARTHEST:
+            part, reach = parts.pop(int(np.argmin(distances))), min(distances) + settings.overlap_m
+            if reach > settings.farthest_m:
                 left = [part, *parts]
                 break
             bridge = whole.buffer(reach).intersection(part.buffer(reach))
@@ -61,6 +62,6 @@ def _joined(geometry) -> list:
     return sorted(found, key=lambda part: -part.area)
 
 
-def polygons_of(geometry) -> list:
+def polygons_of(geometry: BaseGeometry) -> list[Polygon]:
     """Return the polygons of a geometry that have an area and are valid."""
     return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 0 and part.is_valid]

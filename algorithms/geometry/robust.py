@@ -3,20 +3,27 @@
 from typing import Optional
 
 import numpy as np
+from scipy.stats import median_abs_deviation, norm
 
-MAD_TO_SIGMA = 1.4826
-"""A normal deviate's standard deviation in units of its median absolute deviation."""
+MAD_TO_SIGMA = float(1 / norm.ppf(0.75))
+"""A normal deviate's standard deviation in units of its median absolute deviation, as in scipy."""
+
+EFFICIENT_CUT = 4.685
+"""The cut of Tukey's biweight that is 95 % efficient for normal residuals, in standard deviations."""
 
 
 def sigma_about_median(values: np.ndarray, axis: Optional[int] = None) -> np.ndarray:
     """Return the standard deviation of values about their median, by the median absolute deviation."""
-    middle = np.median(values, axis=axis, keepdims=True)
-    return MAD_TO_SIGMA * np.median(np.abs(values - middle), axis=axis)
+    return median_abs_deviation(values, axis=axis, scale="normal")
 
 
 def sigma_of_residuals(residuals: np.ndarray) -> float:
     """Return the standard deviation of residuals, whose expectation is 0, by their median magnitude."""
-    return MAD_TO_SIGMA * float(np.median(np.abs(residuals)))
+    return float(median_abs_deviation(residuals, axis=None, center=_zero, scale="normal"))
+
+
+def _zero(residuals: np.ndarray, axis: None) -> float:
+    return 0.0
 
 
 def weighted_sigma_of_residuals(residuals: np.ndarray, weights: np.ndarray) -> float:

@@ -1,4 +1,4 @@
-"""The Delaunay triangulation of points in a plane, and what it tells of them."""
+"""The Delaunay triangulation of points in a plane: edges, spacings, areas and circumradii."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -65,7 +65,7 @@ class Mesh:
 
     @cached_property
     def spacings(self) -> np.ndarray:
-        """The third shortest edge at each point, shape (n,); inf where there are less.
+        """The third shortest edge at each point, shape (n,); inf at points with fewer edges.
 
         In a lattice that is the step across its lines, and at a border no edge leads across a gap.
         """
@@ -79,7 +79,7 @@ class Mesh:
         return spacings
 
     def sides_of(self, kept: np.ndarray) -> np.ndarray:
-        """Tell which edges, shape (k,), are sides of the `kept` triangles, shape (m,)."""
+        """Return whether each edge, shape (k,), is a side of the `kept` triangles, shape (m,)."""
         chosen = np.zeros(len(self.edges), bool)
         chosen[self.sides[kept]] = True
         return chosen
@@ -113,10 +113,10 @@ def triangle_areas(corners: np.ndarray) -> np.ndarray:
 
 
 def triangulate(points: np.ndarray) -> Mesh:
-    """Return the Delaunay triangulation of points, shape (n, 2); without triangles if there is none."""
+    """Return the Delaunay triangulation of points, shape (n, 2); without triangles if all lie on one line."""
     try:
         if len(points) >= FEWEST:
-            # Near the origin, for qhull knows no other precision than that of the largest number.
+            # Near the origin, because qhull rounds all to the precision of the largest number.
             found = Delaunay(points - points.mean(axis=0)).simplices
             return Mesh(points, found)
     except QhullError:

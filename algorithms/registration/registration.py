@@ -1,4 +1,4 @@
-"""The registration of all scans: one after the other as far as the points go, then all in one block."""
+"""The registration of all scans: one after the other as far as the points reach, then in one block."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,14 +8,13 @@ import numpy as np
 from ..errors import InputError
 from ..progress import Progress
 from .adjustment.block_adjustment import adjust_block
-from .adjustment.control_network import Network
-from .adjustment.evaluation import Frames, describe_points, describe_scans
-from .adjustment.statistical_tests import global_test
+from .adjustment.control_network import ControlNetwork
+from .adjustment.evaluation import Evaluation, Frames, refused_scan
 from .lists.point_list import PointList
-from .matching.control_points import factor_of
-from .matching.scan_matching import doubles
+from .matching.control_points import ControlPoints
+from .matching.matching_task import coincident
 from .results import GlobalTest, Registration
-from .sequential_registration import grow
+from .sequential_registration import register_in_sequence
 from .settings import Settings
 
 
@@ -25,11 +24,11 @@ def register_scans(
     settings: Settings = Settings(),
     progress: Progress = Progress(),
 ) -> Registration:
-    """Find which targets are which control points, and the transformation of every scan.
+    """Identify the control points behind the targets, and compute the transformation of every scan.
 
-    Scans are taken in the order that works: those that match surveyed points first; their unmatched targets
-    are appended to the control points, on which the next ones may stand. In the end all are adjusted in one
-    block. Neither the order of the scans nor that of the rows of a list matters.
+    Scans that match surveyed points are registered first. Their unmatched targets are appended to the control
+    points, to which further scans may be registered. Finally all are adjusted in one block. Neither the order
+    of the scans nor that of the rows of a list matters.
 
     Parameters
     ----------
@@ -49,29 +48,28 @@ def register_scans(
     near = {scan.name: reduced(scan) for scan in scans}
     own, origin = reduced(control)
     frames = Frames(origin, {name: start for name, (_, start) in near.items()})
-    network = Network.of_surveyed(own.names, own.xyz, settings.control_sigma)
+    network = ControlNetwork.of_surveyed(own.names, own.xyz, settings.control_sigma)
     lists = {name: scan for name, (scan, _) in near.items()}
-    growth = grow(lists, network, settings, progress.part(0.0, 0.9))
-    factor = factor_of(settings.tolerance, settings.sigma, settings.control_sigma)
+    sequence = register_in_sequence(lists, network, settings, progress.part(0.0, 0.9))
     registration = Registration(
         settings=settings,
-        tolerance=factor * float(np.sqrt(2 * settings.sigma**2 + 2 * settings.control_sigma**2)),
+        tolerance=settings.distance_tolerance,
         scans=(),
         points=(),
         test=GlobalTest(0.0, 0.0, float("nan"), float("nan")),
         crs=control.crs,
-        warnings=(*control.warnings, *_doubles(network, settings)),
+        warnings=(*control.warnings, *_coincident(network, settings)),
     )
-    if not growth.placed:
-        return replace(registration, scans=describe_scans(scans, growth, None, settings, frames))
+    if not sequence.placed:
+        return replace(registration, scans=tuple(refused_scan(scan, sequence) for scan in scans))
     progress.update(0.9, "Adjusting all scans in one block")
-    adjusted = adjust_block(growth, settings)
+    evaluation = Evaluation(sequence, adjust_block(sequence, settings), settings, frames)
     progress.update(1.0)
     return replace(
         registration,
-        scans=describe_scans(scans, growth, adjusted, settings, frames),
-        points=describe_points(control, growth, adjusted, settings, frames),
-        test=global_test(adjusted.block.sum_of_squares, adjusted.block.redundancy),
+        scans=evaluation.scans(scans),
+        points=evaluation.points(control),
+        test=evaluation.test,
     )
 
 
@@ -86,31 +84,30 @@ def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -
     repeated = next((name for name in names if names.count(name) > 1), None)
     if repeated is not None:
         raise InputError(
-            f"Two lists of targets are called {repeated}, and scans are known by their names; rename one."
+            f"Two lists of targets are called {repeated}; rename one, because their names identify the scans."
         )
     if not scans:
         raise InputError("No list of targets was given; choose at least one.")
 
 
 def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
-    """Return the list near the origin, in an order of its own, and what was taken off its coordinates."""
-    # Whole metres, so that taking them off rounds nothing.
+    """Return the list near the origin, sorted, and what was subtracted from its coordinates."""
+    # Whole metres, whose subtraction is exact.
     origin = np.round(points.xyz.mean(axis=0))
     order = np.lexsort(points.xyz.T[::-1])
     names = tuple(points.names[row] for row in order)
     return replace(points, names=names, xyz=points.xyz[order] - origin), origin
 
 
-def _doubles(network: Network, settings: Settings) -> list[str]:
-    """Warn of control points that cannot be told apart."""
-    factor = factor_of(settings.tolerance, settings.sigma, settings.control_sigma)
-    site = network.site(settings.sigma, factor, 0.0)
+def _coincident(network: ControlNetwork, settings: Settings) -> list[str]:
+    """Warn of control points that are too close to distinguish them."""
+    points = ControlPoints.of_network(network, settings)
     sentences = []
-    for row in np.flatnonzero(doubles(site)):
-        first = int(site.distances[row, :row].argmin())
+    for row in np.flatnonzero(coincident(points)):
+        first = int(points.distances[row, :row].argmin())
         sentences.append(
             f"The control points {network.names[first]} and {network.names[row]} are "
-            f"{1000 * site.distances[row, first]:.0f} mm apart and cannot be told from each other; one is "
+            f"{1000 * points.distances[row, first]:.0f} mm apart, too close to distinguish them; only one is "
             "used."
         )
     return sentences

@@ -1,4 +1,4 @@
-"""What a registration finds; lengths in metres, angles in degrees, in the control frame."""
+"""The results of a registration; lengths in metres, angles in degrees, in the control frame."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -51,7 +51,7 @@ class Correspondence:
     studentized : ndarray
         Pope's tau, by the a posteriori one.
     detectable : ndarray
-        Minimal detectable bias, metres; nan where nothing controls the coordinate.
+        Minimal detectable bias, metres; nan where nothing checks the coordinate.
     covariance : ndarray, shape (3, 3)
         Of the transformed target, by the a posteriori standard deviation, square metres.
     """
@@ -76,7 +76,7 @@ class Correspondence:
 
 @dataclass(frozen=True)
 class ScaleTest:
-    """What the targets say about the scale, whether or not the model has one.
+    """The scale that the targets suggest, whether or not the model has one.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class GlobalTest:
     sigma0 : float
         A posteriori over a priori standard deviation, sqrt(v'Pv / (n - u)); nan without redundancy.
     probability : float
-        To find v'Pv as large or larger when the a priori standard deviations hold; nan without redundancy.
+        Of a v'Pv as large or larger, if the a priori standard deviations are right; nan without redundancy.
     """
 
     sum_of_squares: float
@@ -118,13 +118,13 @@ class GlobalTest:
 
 @dataclass(frozen=True)
 class ScanRegistration:
-    """One scan; where `status` is not `REGISTERED`, all that a transformation needs is None or empty.
+    """One scan; unless `status` is `REGISTERED`, all that belongs to a transformation is None or empty.
 
     Attributes
     ----------
     name : str
     status : str
-        `REGISTERED`, or in a word why not: ambiguous, mirrored, units, tilted, scale, collinear,
+        `REGISTERED`, or the reason why not in a word: ambiguous, mirrored, units, tilted, scale, collinear,
         coincident, too few, too many, chance, no overlap, misfit.
     reason : str
         A sentence with the remedy; empty if registered.
@@ -137,15 +137,15 @@ class ScanRegistration:
     correspondences : tuple of Correspondence
         In the order of the scan's list.
     unmatched : tuple of str
-        Targets without a control point, also none of another scan; they were appended to the control points.
+        Targets that match neither a surveyed nor an appended point; they were appended to the control points.
     test : GlobalTest or None
     scale_test : ScaleTest or None
     chance : float or None
-        Expected number of accidental matches of so many targets; None when matched by names.
+        Expected number of accidental matches of as many targets; None if matched by names.
     round : int or None
         1 if surveyed points sufficed, 2 if it needed points appended in round 1, and so on.
     rivals : tuple of dict of str to str
-        Solutions, target to control, as good as each other (if ambiguous).
+        Equally good solutions, target to control point (if ambiguous).
     warnings : tuple of str
     targets : int
         The number of targets in the list.
@@ -165,12 +165,12 @@ class ScanRegistration:
     scale_test: Optional[ScaleTest] = None
     chance: Optional[float] = None
     round: Optional[int] = None
-    rivals: tuple[dict, ...] = ()
+    rivals: tuple[dict[str, str], ...] = ()
     warnings: tuple[str, ...] = ()
 
     @property
     def registered(self) -> bool:
-        """Whether there is a transformation."""
+        """Whether the scan has a transformation."""
         return self.status == REGISTERED
 
 

@@ -1,8 +1,14 @@
 """The five models of the transformation, and the settings of a registration."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Optional
+
+from .adjustment.settings import AdjustmentSettings
+from .lists.settings import ListSettings
+from .matching.settings import MatchingSettings
+from .simulation.settings import SimulationSettings
 
 
 class Model(Enum):
@@ -16,7 +22,7 @@ class Model(Enum):
 
     @property
     def levelled(self) -> bool:
-        """Whether the scan turns about the vertical only."""
+        """Whether the scan rotates about the vertical only."""
         return self in (Model.LEVELLED, Model.LEVELLED_SCALE)
 
     @property
@@ -31,12 +37,12 @@ class Model(Enum):
 
     @property
     def least_targets(self) -> int:
-        """The number of targets without which there is no solution."""
+        """The smallest number of targets that determines a solution."""
         return 2 if self.levelled else 3
 
 
 class Matching(Enum):
-    """How a target finds its control point; the values are those of MATCHING."""
+    """How a target is matched with a control point; the values are those of MATCHING."""
 
     DISTANCES = 0
     NAMES = 1
@@ -44,7 +50,7 @@ class Matching(Enum):
 
 @dataclass(frozen=True)
 class Settings:
-    """What a user can choose.
+    """What a user chooses, and the settings of the stages.
 
     Attributes
     ----------
@@ -57,6 +63,10 @@ class Settings:
     tolerance : float or None
         Largest difference of two distances that match (the paper's eps_t), metres; None derives it from the
         standard deviations.
+    lists : ListSettings
+    matches : MatchingSettings
+    adjustment : AdjustmentSettings
+    simulation : SimulationSettings
     """
 
     matching: Matching = Matching.DISTANCES
@@ -64,3 +74,34 @@ class Settings:
     sigma: float = 0.003
     control_sigma: float = 0.0
     tolerance: Optional[float] = None
+    lists: ListSettings = field(default=ListSettings())
+    matches: MatchingSettings = field(default=MatchingSettings())
+    adjustment: AdjustmentSettings = field(default=AdjustmentSettings())
+    simulation: SimulationSettings = field(default=SimulationSettings())
+
+    @property
+    def named(self) -> bool:
+        """Whether names identify the control point of a target."""
+        return self.matching is Matching.NAMES
+
+    @property
+    def free_scale(self) -> bool:
+        """Whether the scale may be any, not only near 1: if unknown, or if names identify the points."""
+        return self.model is Model.UNKNOWN_SCALE or (self.named and self.model.scaled)
+
+    @property
+    def distance_factor(self) -> float:
+        """How many standard deviations two distances that match may differ by."""
+        if self.tolerance is None:
+            return self.matches.tolerances.distance_factor
+        return self.tolerance / self._distance_std
+
+    @property
+    def distance_tolerance(self) -> float:
+        """The tolerance of distances between surveyed points: the user's, or the derived one, metres."""
+        return self.distance_factor * self._distance_std
+
+    @property
+    def _distance_std(self) -> float:
+        """The standard deviation of the difference of two distances."""
+        return math.sqrt(2 * self.sigma**2 + 2 * self.control_sigma**2)

@@ -1,80 +1,141 @@
-"""From a density image to the walls of a site."""
+"""The site plan: from the points of scans to walls, axes and rooms (Mueller, Kohoutek and Theiler 2012)."""
 
-from dataclasses import dataclass
-from typing import Optional
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager
 
-import numpy as np
-from affine import Affine
-
+from ..clouds.cloud import Cloud
+from ..errors import NothingFoundError
 from ..progress import Progress
-from .walls.extraction import WallImage, WallParameters, extract_wall_pixels
-from .walls.height_gate import Heights
+from .axes.axes import Axis, find_axes
+from .density.density_image import DensityImage, SortedPoints, sort_and_image
+from .density.density_raster import DensityRaster
+from .faces.refinement import refine_on_points
+from .results import SitePlan, WallPlan
+from .rooms.rooms import Room, find_rooms, with_floors
+from .settings import SitePlanSettings
+from .walls.extraction import WallParameters, extract_wall_pixels
+from .walls.settings import WallSettings
 from .walls.wall import Wall, describe_walls
 
-
-@dataclass(frozen=True)
-class SitePlan:
-    """The walls of a site.
-
-    Attributes
-    ----------
-    image : WallImage
-        Wall pixels and how they were found.
-    walls : tuple of Wall
-    foliage : int
-        Number of walls that were left out, for their points lie on no face.
-    """
-
-    image: WallImage
-    walls: tuple[Wall, ...]
-    foliage: int = 0
-
-    @property
-    def area(self) -> float:
-        """Total area of the walls in m2."""
-        return float(sum(wall.outline.area for wall in self.walls))
-
-    @property
-    def length(self) -> float:
-        """Total length of the centrelines in metres."""
-        return float(sum(wall.length for wall in self.walls))
-
-    @property
-    def coverage(self) -> float:
-        """Share of the outlines on which there are points; 0 as long as the faces are not known."""
-        covered = sum((wall.coverage or 0.0) * wall.outline.length for wall in self.walls)
-        return float(covered / sum(wall.outline.length for wall in self.walls))
+NO_ROOM = "No room is closed: raise DOOR_WIDTH above the widest gap in its walls."
 
 
-def extract_walls(
-    density: np.ndarray,
-    heights: Optional[Heights],
-    transform: Affine,
-    parameters: WallParameters,
-    progress: Progress = Progress(),
+def make_site_plan(
+    cloud: Cloud, settings: SitePlanSettings = SitePlanSettings(), progress: Progress = Progress()
 ) -> SitePlan:
-    """Extract the walls from a density image.
+    """Make the plan of a site.
+
+    The cloud is thinned and a density image is computed, walls are extracted from it, and their outlines are
+    moved onto the faces that the points show. Axes and rooms follow from the outlines.
 
     Parameters
     ----------
-    density : ndarray of float, shape (rows, columns)
-        Nan where there is none.
-    heights : Heights or None
-        None if only the density is known.
-    transform : Affine
-        From (column, row) to world coordinates; square pixels, north up.
-    parameters : WallParameters
-        What counts as wall.
+    cloud : Cloud
+        One site.
+    settings : SitePlanSettings
     progress : Progress
-        Reports and cancels.
 
     Raises
     ------
+    InputError
+        If the cloud is no site, or two settings contradict each other.
+    NothingFoundError
+        If no wall is found.
+    CancelledError
+        If the caller asked to stop.
+    """
+    with (
+        _sorted(cloud, settings, progress.part(0.0, 0.65)) as (density, points),
+        _warnings_kept(density.warnings),
+    ):
+        chosen = settings.wall_parameters, progress.part(0.65, 0.8), settings.walls
+        found = extract_walls(DensityRaster.of(density), *chosen)
+        walls, foliage = found.walls, 0
+        if settings.refine:
+            pixels = found.image.walls
+            fitting = progress.part(0.8, 0.9)
+            walls, foliage = refine_on_points(walls, pixels, points, density, fitting, settings.faces)
+    axes = _axes(walls, settings, progress.part(0.9, 0.95)) if settings.with_axes else None
+    rooms = _rooms(walls, density, settings, progress.part(0.95, 1.0)) if settings.with_rooms else None
+    progress.update(1.0)
+    return SitePlan(
+        transform=density.transform,
+        crs=density.crs,
+        image=found.image,
+        walls=walls,
+        warnings=(*found.warnings, NO_ROOM) if rooms == () else found.warnings,
+        settings=settings,
+        density=density,
+        pixel_walls=found.walls,
+        foliage=foliage,
+        axes=axes,
+        rooms=rooms,
+    )
+
+
+def extract_walls(
+    raster: DensityRaster,
+    parameters: WallParameters = WallParameters(),
+    progress: Progress = Progress(),
+    settings: WallSettings = WallSettings(),
+) -> WallPlan:
+    """Extract the walls from a density raster, with the outlines of their pixels.
+
+    Parameters
+    ----------
+    raster : DensityRaster
+    parameters : WallParameters
+        What counts as wall.
+    progress : Progress
+    settings : WallSettings
+
+    Raises
+    ------
+    InputError
+        If the highest threshold is below the lowest.
     NothingFoundError
         If no wall is found.
     """
-    pixel_size = transform.a
-    image = extract_wall_pixels(density, heights, pixel_size, parameters, progress.part(0.0, 0.8))
+    pixel_size = raster.transform.a
+    chosen = pixel_size, parameters, progress.part(0.0, 0.8), settings
+    image = extract_wall_pixels(raster.density, raster.heights, *chosen)
     progress.update(0.8, "Tracing outlines")
-    walls = describe_walls(image, heights, transform)
-    return SitePlan(image, walls)
+    walls = describe_walls(image, raster.heights, raster.transform)
+    warnings = (*raster.warnings, *image.gate.warnings)
+    return WallPlan(raster.transform, raster.crs, image, walls, warnings)
+
+
+def _sorted(
+    cloud: Cloud, settings: SitePlanSettings, progress: Progress
+) -> AbstractContextManager[tuple[DensityImage, SortedPoints]]:
+    """Compute the density image, and keep the points for the faces."""
+    return sort_and_image(
+        cloud,
+        settings.spacing_m,
+        settings.pixel_size_m,
+        settings.neighbourhood_px,
+        progress,
+        settings.height_range,
+        settings.density,
+    )
+
+
+@contextmanager
+def _warnings_kept(warnings: tuple[str, ...]) -> Iterator[None]:
+    """Add warnings to the error if nothing is found, as they may say why."""
+    try:
+        yield
+    except NothingFoundError as error:
+        raise NothingFoundError(str(error), warnings) from error
+
+
+def _axes(walls: tuple[Wall, ...], settings: SitePlanSettings, progress: Progress) -> tuple[Axis, ...]:
+    return find_axes([(wall.wall_id, wall.outline) for wall in walls], settings.axes, progress)
+
+
+def _rooms(
+    walls: tuple[Wall, ...], density: DensityImage, settings: SitePlanSettings, progress: Progress
+) -> tuple[Room, ...]:
+    outlines = [wall.outline for wall in walls]
+    rooms = find_rooms(outlines, settings.rooms, progress)
+    return with_floors(rooms, density.ground, density.transform)

@@ -2,7 +2,7 @@
 
 import math
 from functools import partial
-from typing import Optional
+from typing import Any, Optional
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -12,16 +12,17 @@ from ..parameters.parameter import Number
 
 
 class ComparePlanAlgorithm(Algorithm):
-    """Measure a plan against a reference."""
+    """Compare a plan with a reference."""
 
     key = "compareplan"
     title = "Compare a plan with a reference"
     chapter = "Site plan"
-    summary = "Measures how complete, correct and accurate the walls of a plan are, against a reference."
+    summary = "Measures how complete, correct and accurate the walls of a plan are, with a reference."
     about = (
-        "The boundaries of both layers are compared place by place. Completeness is the share of the "
-        "reference that the plan has within the tolerance, correctness the share of the plan that the "
-        "reference has. The offsets are distances from the reference to the plan, where it was found."
+        "The boundaries of both layers are compared every 2 cm. Completeness is the share of the reference "
+        "that the plan has within the tolerance. Correctness is the share of the plan that the reference "
+        "has within the tolerance. The offsets are distances from the reference to the plan, where the "
+        "plan has the reference."
     )
     words = (
         "site plan",
@@ -35,19 +36,19 @@ class ComparePlanAlgorithm(Algorithm):
     )
     inputs = (
         OutlineLayer(
-            "WALLS", "Walls of the plan", "Polygons, as siteplan writes them. Those that touch are one."
+            "WALLS", "Walls of the plan", "Polygons, as siteplan writes them. Polygons that touch are joined."
         ),
         OutlineLayer(
             "REFERENCE",
             "Reference",
-            "The true walls as polygons, or their faces as lines. In the coordinate reference system of "
-            "the walls, in metres.",
+            "The true walls as polygons, or their faces as lines, in metres. In the coordinate reference "
+            "system of the walls.",
             lines=True,
         ),
         Number(
             "TOLERANCE",
             "Tolerance",
-            "Up to this distance a boundary counts as found; what it means is up to the purpose of the plan.",
+            "Up to this distance a boundary counts as found. Choose it from the accuracy the plan needs.",
             unit="m",
             minimum=0.001,
             default=0.10,
@@ -67,16 +68,15 @@ class ComparePlanAlgorithm(Algorithm):
         ("COMPLETENESS", "Share of the reference that is in the plan (0 to 1)"),
         ("CORRECTNESS", "Share of the plan that is in the reference (0 to 1)"),
         ("IOU", "Intersection over union of the areas (0 to 1)"),
-        ("MEDIAN_OFFSET", "Median offset of what was found (m)"),
-        ("P95_OFFSET", "Offset that 95 % of what was found keep to (m)"),
+        ("MEDIAN_OFFSET", "Median offset of the reference that was found (m)"),
+        ("P95_OFFSET", "Offset that 95 % of the reference that was found does not exceed (m)"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Compare the outlines."""
         from ...algorithms.evaluation.outlines import disagreements
         from ...algorithms.evaluation.plan import compare_plan
         from ...algorithms.evaluation.plan_layer import write_errors
-        from ...algorithms.evaluation.plan_report import write_plan_report
 
         walls, reference, tolerance = values["WALLS"], values["REFERENCE"], values["TOLERANCE"]
         doubts = disagreements(walls, reference, tolerance)
@@ -85,11 +85,13 @@ class ComparePlanAlgorithm(Algorithm):
         log.info(f"Completeness {found.completeness:.3f}, correctness {found.correctness:.3f}.")
         if found.completeness:
             log.info(f"Offset: median {found.median_offset:.4f} m, 95 % {found.p95_offset:.4f} m.")
+        writers = {"ERRORS": partial(write_errors, agreement=found, crs=walls.crs or reference.crs)}
+        if values["REPORT"]:
+            from ...algorithms.evaluation.plan_report import write_plan_report
+
+            writers["REPORT"] = partial(write_plan_report, agreement=found, doubts=doubts)
         return Outcome(
-            {
-                "ERRORS": partial(write_errors, agreement=found, crs=walls.crs or reference.crs),
-                "REPORT": partial(write_plan_report, agreement=found, doubts=doubts),
-            },
+            writers,
             {
                 "COMPLETENESS": found.completeness,
                 "CORRECTNESS": found.correctness,

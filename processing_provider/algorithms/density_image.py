@@ -1,15 +1,17 @@
 """The algorithm `densityimage`."""
 
 from functools import partial
+from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
-    compute_density,
     density_destination,
+    height_range,
+    log_density,
     point_numbers,
 )
 
@@ -22,19 +24,23 @@ class DensityImageAlgorithm(Algorithm):
     chapter = "Site plan"
     summary = "Counts the points above each pixel of the ground plan, after thinning."
     about = (
-        "The clouds are thinned, and the points above each pixel counted: walls stand out, as many points "
-        "lie above each other there. Further bands hold the height that points fill above the local ground, "
-        "the lowest and highest point, the ground, and what tells foliage and furniture from walls "
-        "(Mueller, Kohoutek and Theiler 2012)."
+        "The clouds are thinned, and the points above each pixel are counted: walls stand out because many "
+        "points lie above each other there. Further bands hold the height that points fill above the local "
+        "ground, the lowest and highest point, the ground, and two measures that separate foliage and "
+        "furniture from walls (Mueller, Kohoutek and Theiler 2012)."
     )
     words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
     inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
     destinations = (density_destination(optional=False),)
     numbers = POINT_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Compute the image."""
-        from ...algorithms.site_plan.output.layers import write_density
+        from ...algorithms.site_plan.density.density_image import density_image
+        from ...algorithms.site_plan.density.density_raster import write_density
 
-        image = compute_density(values, log, log.progress)
+        size = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
+        image = density_image(open_site(values), *size, log.progress, height_range(values))
+        log.warn(image.warnings)
+        log_density(image, log)
         return Outcome({"DENSITY": partial(write_density, image=image)}, point_numbers(image))

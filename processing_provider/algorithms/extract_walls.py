@@ -1,5 +1,7 @@
 """The algorithm `extractwalls`."""
 
+from typing import Any
+
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.files import RasterFile
@@ -7,9 +9,10 @@ from ..parameters.walls import (
     WALL_NUMBERS,
     WALL_PARAMETERS,
     WALLS,
-    find_walls,
+    log_walls,
     plan_destination,
     wall_numbers,
+    wall_parameters,
     wall_writers,
 )
 
@@ -34,12 +37,12 @@ class ExtractWallsAlgorithm(Algorithm):
     destinations = (plan_destination(optional=False), WALLS)
     numbers = WALL_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Read the raster and extract the walls."""
-        from ...algorithms.site_plan.output.layers import read_density
+        from ...algorithms.site_plan.density.density_raster import read_density
+        from ...algorithms.site_plan.site_plan import extract_walls
 
-        raster = read_density(values["INPUT"])
-        if raster.crs is None:
-            log.warn(["The raster has no coordinate reference system, so the results have none either."])
-        plan = find_walls(raster.density, raster.heights, raster.transform, values, log, log.progress)
-        return Outcome(wall_writers(plan, raster.transform, raster.crs), wall_numbers(plan))
+        plan = extract_walls(read_density(values["INPUT"]), wall_parameters(values), log.progress)
+        log.warn(plan.warnings)
+        log_walls(plan, log)
+        return Outcome(wall_writers(plan), wall_numbers(plan))

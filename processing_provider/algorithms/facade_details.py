@@ -1,5 +1,7 @@
 """The algorithm `facadedetails`."""
 
+from typing import Any
+
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
 from ..parameters.clouds import CLOUDS, CRS, open_site
@@ -18,13 +20,12 @@ class FacadeDetailsAlgorithm(Algorithm):
     key = "facadedetails"
     title = "Details of a facade"
     chapter = "Facade"
-    summary = "Turns a coloured scan of a facade into an elevation: openings, recesses and details, measured."
+    summary = "Measures openings, recesses, projections and coloured details of a scanned facade."
     about = (
-        "The main plane of the facade is found, its coplanar details by colour and intensity, its openings "
-        "and recesses by what lies behind it, its projections by what lies before it. Outlines are the mean "
-        "of both sides of a border, with standard deviations. INPUT is all it needs; without colour, "
-        "openings, recesses and projections remain (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal "
-        "2014)."
+        "Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses "
+        "by the points behind the wall; projections by the planes in front of it. An outline is the mean of "
+        "both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, "
+        "recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014)."
     )
     words = (
         "facade",
@@ -46,7 +47,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         RasterDestination(
             "ORTHOIMAGE",
             "Orthoimage",
-            "GeoTIFF in u, v: the colours of the facade from straight before it, or its intensity.",
+            "GeoTIFF in u, v: the colours of the facade projected onto its plane, or its intensity.",
             style=None,
             optional=True,
         ),
@@ -60,7 +61,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         PolygonDestination(
             "ELEVATION",
             "Elevation",
-            "Polygons in u (right) and v (up), in metres: the wall, its details, and places that were not "
+            "Polygons in u (right) and v (up), in metres: the wall, its details, and areas that were not "
             "seen.",
             style="elevation",
         ),
@@ -82,7 +83,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         ("WALL_AREA", "Area of the wall without openings and recesses (m2)"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Measure the facade."""
         from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing

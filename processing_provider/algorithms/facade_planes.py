@@ -1,6 +1,6 @@
 """The algorithm `facadeplanes`."""
 
-from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -19,10 +19,10 @@ class FacadePlanesAlgorithm(Algorithm):
     chapter = "Facade"
     summary = "Finds the main plane of a facade and the secondary planes on it."
     about = (
-        "RANSAC finds the largest upright plane of the scan, which sets the facade apart from street, trees "
-        "and side walls, and then the planes on it: recessed doors and windows, cornices, bays. Each is "
-        "refitted by total least squares, and every point belongs to the nearest within DISTANCE "
-        "(Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014)."
+        "RANSAC finds the largest upright plane of the scan, the facade without street, trees and side "
+        "walls, and then the planes on it: recessed doors and windows, cornices, bays. Each plane is fitted "
+        "by total least squares. Every point belongs to the nearest plane within DISTANCE (Aitelkadi, "
+        "Tahiri, Simonetto, Sebari and Boulaassal 2014)."
     )
     words = (
         "facade",
@@ -41,20 +41,20 @@ class FacadePlanesAlgorithm(Algorithm):
             "PLANES",
             "Planes",
             "Polygons in space with normal, distance from the origin, azimuth, tilt, rms, number of points "
-            "and area, for the area of an upright polygon is 0 in a map.",
+            "and true area, because GIS computes an area of 0 for an upright polygon.",
             style="facade_planes",
         ),
         CloudDestination(
             "SEGMENTS",
             "Points with the number of their plane",
-            "The cloud with all its attributes and the attribute plane, 0 for points of none. LAZ, LAS or "
-            "text.",
+            "The cloud with all its attributes and the attribute plane, 0 for points outside all planes. "
+            "LAZ, LAS or text.",
             optional=True,
         ),
     )
     numbers = (("PLANE_COUNT", "Number of planes"),)
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Find the planes; the points are copied when the file is written."""
         from ...algorithms.clouds.writing.labelling import write_labelled
         from ...algorithms.facade.output.plane_layers import write_planes
@@ -73,11 +73,9 @@ class FacadePlanesAlgorithm(Algorithm):
         return Outcome(
             {
                 "PLANES": lambda path: write_planes(path, points, found, values["DISTANCE"], cloud.crs),
-                "SEGMENTS": partial(_write_segments, write_labelled, cloud, numbers, log),
+                "SEGMENTS": lambda path: write_labelled(
+                    cloud, "plane", numbers, path, log.progress.part(0.8, 1.0)
+                ),
             },
             {"PLANE_COUNT": len(found.planes)},
         )
-
-
-def _write_segments(write, cloud, numbers, log: Log, path) -> None:
-    write(cloud, "plane", numbers, path, log.progress.part(0.8, 1.0))

@@ -1,7 +1,7 @@
 """The algorithm `registerscans`."""
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
 
 
 class RegisterScansAlgorithm(Algorithm):
-    """Find which targets are which control points, and where the scans stand."""
+    """Identify the control points behind the targets, and georeference the scans."""
 
     key = "registerscans"
     title = "Register scans to control points"
     chapter = "Registration"
-    summary = "Finds out which target is which control point, and moves the scans there."
+    summary = "Identifies the control point behind each target, without names, and georeferences the scans."
     about = (
-        "Targets picked in each scan are matched with surveyed control points by their distances, without "
-        "names, and the transformations of all scans are adjusted together. Targets that are no control "
-        "points join the scans with each other. A scan that cannot be registered beyond doubt is refused "
-        "with the reason (Herbig, Mayer, Mortada and Rasztovits 2013)."
+        "Targets picked in each scan are matched with surveyed control points by their distances, and the "
+        "transformations of all scans are adjusted together. Targets that are not control points tie the "
+        "scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, "
+        "Mayer, Mortada and Rasztovits 2013)."
     )
     words = (
         "registration",
@@ -60,14 +60,15 @@ class RegisterScansAlgorithm(Algorithm):
         PointDestination(
             "CONTROL_OUT",
             "Control points, surveyed and appended",
-            "Points with their precision and the scans that saw them. GeoPackage or shapefile, by extension.",
+            "Points with their standard deviations and the scans that use them. GeoPackage or shapefile, by "
+            "extension.",
             style="control_points",
             optional=True,
         ),
         PointDestination(
             "RESIDUALS",
             "Residuals",
-            "Points with the difference between target and control point, drawn as arrows, and its tests. "
+            "Points with the difference between target and control point, drawn as arrows, and their tests. "
             "GeoPackage or shapefile, by extension.",
             style="residuals",
             optional=True,
@@ -80,23 +81,24 @@ class RegisterScansAlgorithm(Algorithm):
         ),
     )
     numbers = (
-        ("SCANS_REGISTERED", "Number of scans that were registered"),
+        ("SCANS_REGISTERED", "Number of registered scans"),
         ("SIGMA0", "Standard deviation of unit weight, a posteriori over a priori"),
-        ("MAX_RESIDUAL", "Longest residual of a target that was used (m)"),
+        ("MAX_RESIDUAL", "Longest residual of the targets that were used (m)"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Register the scans."""
         from ...algorithms.registration.output.layers import exaggeration, write_control, write_residuals
-        from ...algorithms.registration.output.report import write_report
         from ...algorithms.registration.output.transforms import write_transforms
         from ...algorithms.registration.registration import register_scans
 
         control = control_of(values)
         if control.crs is None:
-            log.warn(["The control points name no coordinate reference system, so the results have none."])
+            log.warn(
+                ["The control points have no coordinate reference system, so the results have none; set CRS."]
+            )
         registration = register_scans(control, values["TARGETS"], settings_of(values), log.progress)
-        _tell(registration, log)
+        _log(registration, log)
         if not registration.registered:
             reasons = " ".join(scan.reason for scan in registration.scans)
             raise NothingFoundError(f"No scan could be registered. {reasons}")
@@ -104,8 +106,11 @@ class RegisterScansAlgorithm(Algorithm):
             "TRANSFORMS": write_transforms,
             "RESIDUALS": write_residuals,
             "CONTROL_OUT": write_control,
-            "REPORT": write_report,
         }
+        if values["REPORT"]:
+            from ...algorithms.registration.output.report import write_report
+
+            writers["REPORT"] = write_report
         return Outcome(
             {name: partial(write, registration) for name, write in writers.items()},
             {
@@ -117,7 +122,7 @@ class RegisterScansAlgorithm(Algorithm):
         )
 
 
-def _tell(registration: "Registration", log: Log) -> None:
+def _log(registration: "Registration", log: Log) -> None:
     log.warn(registration.warnings)
     log.info(f"Tolerance of distances: {1000 * registration.tolerance:.1f} mm.")
     for scan in registration.scans:
@@ -129,6 +134,8 @@ def _tell(registration: "Registration", log: Log) -> None:
 
 
 def _line(scan: "ScanRegistration") -> str:
+    """Return what the log says of a registered scan."""
+    assert scan.test is not None
     used = [item for item in scan.correspondences if item.used]
     longest = 1000 * max(item.length for item in used)
     chance = "" if scan.chance is None else f", {scan.chance:.1g} accidental matches expected"

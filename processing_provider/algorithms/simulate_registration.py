@@ -1,7 +1,7 @@
 """The algorithm `simulateregistration`."""
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 TARGETS_PER_SCAN = Number(
     "TARGETS_PER_SCAN",
     "Targets seen in each scan",
-    "How many of the control points a scan sees. Fewer than 5 are seldom enough to be sure of.",
+    "Number of control points that a scan sees. Fewer than 5 rarely give an unambiguous match.",
     unit="count",
     default=5,
     minimum=2,
@@ -26,7 +26,7 @@ TARGETS_PER_SCAN = Number(
 SCALE_PPM = Number(
     "SCALE_PPM",
     "Scale error",
-    "By how much the distances from the centroid of the targets are too long in every scan.",
+    "Relative excess of all distances from the centroid of the targets of a scan.",
     unit="ppm",
     default=10,
     minimum=-100000,
@@ -36,7 +36,7 @@ SCALE_PPM = Number(
 TRIALS = Number(
     "TRIALS",
     "Number of simulated scans",
-    "1000 give the success rate to about one per cent, in a minute.",
+    "1000 determine the success rate to about one per cent, in a minute.",
     unit="count",
     default=1000,
     minimum=1,
@@ -47,7 +47,7 @@ TRIALS = Number(
 SEED = Number(
     "SEED",
     "Seed of the random numbers",
-    "The same seed gives the same result; another one tells how far it depends on chance.",
+    "The same seed gives the same result; change it to see how much results vary.",
     unit="any number",
     default=1,
     minimum=0,
@@ -58,24 +58,24 @@ SEED = Number(
 REACH = Number(
     "REACH",
     "Reach of a scan",
-    "The targets of a scan lie within this distance of a control point, as a scanner sees only what is near. "
-    "If not set, they come from the whole list.",
+    "All targets of a scan lie within this distance of one control point, because a scanner sees only what "
+    "is near. If not set, they come from the whole list.",
     unit="m",
     minimum=0.001,
 )
 
 
 class SimulateRegistrationAlgorithm(Algorithm):
-    """Try whether the control points can be told from each other."""
+    """Check whether the control points can be identified unambiguously."""
 
     key = "simulateregistration"
     title = "Simulate the registration of scans"
     chapter = "Registration"
-    summary = "Tells before the scans are made whether the control points are placed unambiguously."
+    summary = "Checks before fieldwork whether the control points can be identified unambiguously."
     about = (
-        "Random parts of the control list are seen from random places, with noise and a scale error, and are "
-        "registered as scans. The report tells how many were recognised, which control points are taken for "
-        "each other, and how precise the transformations are (Herbig, Mayer, Mortada and Rasztovits 2013)."
+        "Random parts of the control list are seen from random stations, with noise and a scale error, and "
+        "are registered as scans. The report states how many were identified, which control points are "
+        "confused, and how accurate the transformations are (Herbig, Mayer, Mortada and Rasztovits 2013)."
     )
     words = (
         "simulation",
@@ -93,7 +93,7 @@ class SimulateRegistrationAlgorithm(Algorithm):
         TableDestination(
             "TABLE",
             "Trials",
-            "CSV file with a row for each simulated scan: its points, what became of it, and its errors.",
+            "CSV file with a row for each simulated scan: its points, its result, and its errors.",
             optional=True,
         ),
         HtmlDestination(
@@ -105,14 +105,11 @@ class SimulateRegistrationAlgorithm(Algorithm):
     )
     numbers = (("SUCCESS_RATE", "Share of scans that were registered with all targets right (0 to 1)"),)
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Run the trials."""
         from ...algorithms.registration.settings import Model, Settings
         from ...algorithms.registration.simulation.simulation import simulate
-        from ...algorithms.registration.simulation.simulation_report import (
-            write_simulation_report,
-            write_trials,
-        )
+        from ...algorithms.registration.simulation.trials import write_trials
 
         simulation = simulate(
             values["CONTROL"],
@@ -124,21 +121,20 @@ class SimulateRegistrationAlgorithm(Algorithm):
             reach=values["REACH"],
             progress=log.progress,
         )
-        _tell(simulation, log)
-        return Outcome(
-            {
-                "TABLE": partial(write_trials, simulation),
-                "REPORT": partial(write_simulation_report, simulation),
-            },
-            {"SUCCESS_RATE": simulation.success_rate},
-        )
+        _log(simulation, log)
+        writers = {"TABLE": partial(write_trials, simulation)}
+        if values["REPORT"]:
+            from ...algorithms.registration.simulation.simulation_report import write_simulation_report
+
+            writers["REPORT"] = partial(write_simulation_report, simulation)
+        return Outcome(writers, {"SUCCESS_RATE": simulation.success_rate})
 
 
-def _tell(simulation: "Simulation", log: Log) -> None:
+def _log(simulation: "Simulation", log: Log) -> None:
     log.warn(simulation.warnings)
     log.info(f"All targets right in {len(simulation.successes)} of {len(simulation.trials)} scans.")
     for outcome, count in simulation.failures.items():
         log.info(f"{outcome}: {count}")
     if simulation.confusions:
         pairs = "; ".join(" and ".join(pair.points) for pair in simulation.confusions[:10])
-        log.warn([f"Points that are taken for each other, the most frequent first: {pairs}."])
+        log.warn([f"Control points that are confused, the most frequent first: {pairs}."])

@@ -1,35 +1,51 @@
 """The algorithm `siteplan`."""
 
 from functools import partial
+from typing import TYPE_CHECKING, Any
 
+from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
-    compute_density_and_keep,
     density_destination,
+    height_range,
+    log_density,
     point_numbers,
 )
 from ..parameters.parameter import Flag
-from ..parameters.rooms import AXES, DOOR_WIDTH, REPORT, ROOM_NUMBERS, ROOMS, further_outputs
+from ..parameters.rooms import (
+    AXES,
+    DOOR_WIDTH,
+    REPORT,
+    ROOM_NUMBERS,
+    ROOMS,
+    log_rooms,
+    room_numbers,
+    room_writers,
+)
 from ..parameters.walls import (
     WALL_NUMBERS,
     WALL_PARAMETERS,
     WALLS,
-    find_walls,
+    log_walls,
     plan_destination,
-    refine_outlines,
     wall_numbers,
+    wall_parameters,
     wall_writers,
 )
+
+if TYPE_CHECKING:
+    from ...algorithms.site_plan.results import SitePlan
+    from ...algorithms.site_plan.settings import SitePlanSettings
 
 REFINE = Flag(
     "REFINE",
     "Outlines on the wall faces",
-    "Moves the outlines from the edges of pixels to where the points of the faces are, straight or curved, "
-    "and measures thickness, radius and coverage. No gives the outlines of the paper.",
+    "Moves the outlines from the edges of pixels to the points of the faces, straight or curved, and "
+    "measures thickness, radius and coverage. No gives the outlines of the paper.",
     default=True,
     advanced=False,
 )
@@ -43,8 +59,8 @@ class SitePlanAlgorithm(Algorithm):
     chapter = "Site plan"
     summary = "Turns terrestrial laser scans into a site plan: the walls as polygons."
     about = (
-        "The clouds are thinned, a density image is computed, and the walls are extracted from it, with "
-        "defaults that are derived from the data and told in the log. INPUT is all it needs "
+        "The clouds are thinned, a density image is computed, and the walls are extracted from it. Only "
+        "INPUT is needed: defaults that depend on the data are derived and written to the log "
         "(Mueller, Kohoutek and Theiler 2012)."
     )
     words = (
@@ -82,20 +98,51 @@ class SitePlanAlgorithm(Algorithm):
     )
     numbers = POINT_NUMBERS + WALL_NUMBERS + ROOM_NUMBERS
 
-    def compute(self, values: dict, log: Log) -> Outcome:
-        """Compute the density image and extract the walls."""
-        from ...algorithms.site_plan.output.layers import write_density
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
+        """Make the plan."""
+        from ...algorithms.site_plan.density.density_raster import write_density
+        from ...algorithms.site_plan.site_plan import make_site_plan
 
-        progress = log.progress
-        with compute_density_and_keep(values, log, progress.part(0.0, 0.7)) as (image, points):
-            plan = find_walls(
-                image.density, image.heights, image.transform, values, log, progress.part(0.7, 0.85)
-            )
-            if values["REFINE"]:
-                plan = refine_outlines(plan, points, image, log, progress.part(0.85, 1.0))
-        writers = wall_writers(plan, image.transform, image.crs)
-        writers["DENSITY"] = partial(write_density, image=image)
-        further = further_outputs(plan, image, values, log)
+        try:
+            plan = make_site_plan(open_site(values), settings_of(values), log.progress)
+        except NothingFoundError as error:
+            log.warn(error.warnings)
+            raise
+        _log(plan, log)
         return Outcome(
-            {**writers, **further.writers}, {**point_numbers(image), **wall_numbers(plan), **further.numbers}
+            {
+                "DENSITY": partial(write_density, image=plan.density),
+                **wall_writers(plan),
+                **room_writers(plan),
+            },
+            {**point_numbers(plan.density), **wall_numbers(plan), **room_numbers(plan)},
         )
+
+
+def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
+    """Return what the user chose."""
+    from ...algorithms.site_plan.rooms.settings import RoomSettings
+    from ...algorithms.site_plan.settings import SitePlanSettings
+
+    return SitePlanSettings(
+        spacing_m=values["SPACING"],
+        pixel_size_m=values["PIXEL_SIZE"],
+        neighbourhood_px=values["NEIGHBOURHOOD"],
+        height_range=height_range(values),
+        wall_parameters=wall_parameters(values),
+        refine=values["REFINE"],
+        with_axes=values["AXES"] is not None,
+        with_rooms=values["ROOMS"] is not None,
+        rooms=RoomSettings(door_width_m=values["DOOR_WIDTH"]),
+    )
+
+
+def _log(plan: "SitePlan", log: Log) -> None:
+    log.warn(plan.warnings)
+    log_density(plan.density, log)
+    log_walls(plan, log)
+    if plan.foliage:
+        log.info(f"Left out as foliage because their points lie on no face: {plan.foliage}.")
+    if plan.settings.refine:
+        log.info(f"Outlines on the faces: {plan.coverage:.0%} of their length has points on it.")
+    log_rooms(plan, log)

@@ -1,5 +1,7 @@
 """The algorithm `thincloud`."""
 
+from typing import Any
+
 from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -15,8 +17,9 @@ class ThinCloudAlgorithm(Algorithm):
     chapter = "Clouds"
     summary = "Leaves out points so that no two are closer than a minimum distance."
     about = (
-        "Points are left out until no two are closer than the point spacing, exactly and in space, also "
-        "across files. Several files become one. From LAS and LAZ to LAS and LAZ, every attribute stays."
+        "Points are left out until no two are closer than the point spacing. The distance is exact, in "
+        "space, and holds across files. Several files become one. LAS and LAZ files of one point format "
+        "keep every attribute if the output is LAS or LAZ."
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
     inputs = (CLOUDS, SPACING)
@@ -26,7 +29,7 @@ class ThinCloudAlgorithm(Algorithm):
         ("POINTS_OUT", "Number of points after thinning"),
     )
 
-    def compute(self, values: dict, log: Log) -> Outcome:
+    def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Thin the clouds; the points are copied when the file is written."""
         from ...algorithms.clouds.thinning.thinning import thin_cloud
         from ...algorithms.clouds.writing.point_selection import write_cloud

@@ -1,6 +1,6 @@
 """What the algorithms that read clouds have in common."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...algorithms.clouds.formats import readable_formats
 from .files import CloudFiles
@@ -20,7 +20,7 @@ SPACING = Number(
     "SPACING",
     "Point spacing",
     "Points closer than this to a point that is kept are left out, so that a surface counts the same near "
-    "the scanner and far from it. 0.05 m serves most sites; finer spacing asks for denser scans.",
+    "the scanner and far from it. 0.05 m suits most sites; a finer spacing needs denser scans.",
     unit="m",
     default=0.05,
     minimum=0.001,
@@ -30,7 +30,7 @@ SPACING = Number(
 PIXEL_SIZE = Number(
     "PIXEL_SIZE",
     "Pixel size",
-    "Edge of a pixel of the rasters. 0.10 m serves most sites; it should be about twice the point spacing.",
+    "Edge of a pixel of the rasters. 0.10 m suits most sites; it should be about twice the point spacing.",
     unit="m",
     default=0.10,
     minimum=0.001,
@@ -40,7 +40,7 @@ PIXEL_SIZE = Number(
 CRS = ReferenceSystem(
     "CRS",
     "Coordinate reference system, if the clouds name none",
-    "Projected, in metres. A system that the files name themselves goes before it.",
+    "Projected, in metres. Used only for files without a reference system.",
 )
 
 
@@ -60,7 +60,7 @@ def neighbourhood(advanced: bool) -> Number:
     )
 
 
-def open_site(values: dict) -> "Cloud":
+def open_site(values: dict[str, Any]) -> "Cloud":
     """Open the clouds that the user chose as one site."""
     from ...algorithms.clouds.cloud import open_cloud
     from ...algorithms.reference_systems import parse_wkt

@@ -1,13 +1,9 @@
 """What the algorithms that compute a density image have in common."""
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ...algorithms.progress import Progress
 from ..log import Log
-from .clouds import open_site
 from .destinations import RasterDestination
 from .parameter import Choice, Number
 
@@ -57,27 +53,8 @@ def density_destination(optional: bool) -> RasterDestination:
     return RasterDestination("DENSITY", "Density image", help_text, style="density", optional=optional)
 
 
-def compute_density(values: dict, log: Log, progress: Progress) -> "DensityImage":
-    """Compute the density image with the parameters that the user chose, and tell what was kept."""
-    with compute_density_and_keep(values, log, progress) as (image, _points):
-        return image
-
-
-@contextmanager
-def compute_density_and_keep(values: dict, log: Log, progress: Progress) -> Iterator[tuple]:
-    """Compute the density image as `compute_density` does, and yield it with the sorted points."""
-    from ...algorithms.site_plan.density.density_image import sort_and_image
-
-    chosen = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
-    with sort_and_image(open_site(values), *chosen, progress, _height_range(values)) as (image, points):
-        log.warn(image.warnings)
-        rows, columns = image.density.shape
-        log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
-        log.info(f"Density image: {columns} x {rows} pixels of {values['PIXEL_SIZE']:g} m.")
-        yield image, points
-
-
-def _height_range(values: dict) -> "HeightRange":
+def height_range(values: dict[str, Any]) -> "HeightRange":
+    """Return the heights that the user chose."""
     from ...algorithms.site_plan.density.height_range import HeightRange
 
     low, high = values["ZMIN"], values["ZMAX"]
@@ -86,6 +63,13 @@ def _height_range(values: dict) -> "HeightRange":
     )
 
 
-def point_numbers(image: "DensityImage") -> dict:
+def log_density(image: "DensityImage", log: Log) -> None:
+    """Write to the log what was read and kept."""
+    rows, columns = image.density.shape
+    log.info(f"Points: {image.points_in} read, {image.points_kept} kept.")
+    log.info(f"Density image: {columns} x {rows} pixels of {image.transform.a:g} m.")
+
+
+def point_numbers(image: "DensityImage") -> dict[str, int]:
     """Return the values of `POINT_NUMBERS`."""
     return {"POINTS_IN": image.points_in, "POINTS_KEPT": image.points_kept}

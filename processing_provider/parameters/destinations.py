@@ -31,6 +31,7 @@ Writer = Callable[[Path], Any]
 
 FolderWriters = Mapping[str, Writer]
 """Writers of the files of a folder, by the names of the files."""
+PAGE_MODULES = ("jinja2", "matplotlib")
 
 
 @dataclass(frozen=True)
@@ -216,10 +217,24 @@ class DrawingDestination(FileDestination):
 
 @dataclass(frozen=True)
 class HtmlDestination(FileDestination):
-    """A page that QGIS lists in its results viewer."""
+    """A page, which QGIS lists in its results viewer; made by default unless QGIS lacks its packages."""
 
     extensions = (".html", ".htm")
     filters = "HTML files (*.html *.htm)"
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[Path]:
+        """Return the path, or refuse it before anything is computed if pages cannot be written."""
+        path = super().value(algorithm, parameters, context)
+        if path and lacking(PAGE_MODULES):
+            raise MissingPackageError(self.name, PAGE_MODULES, "written")
+        return path
+
+    def _definition(self) -> QgsProcessingParameterFileDestination:
+        definition = super()._definition()
+        definition.setCreateByDefault(self.by_default and not lacking(PAGE_MODULES))
+        return definition
 
 
 @dataclass(frozen=True)

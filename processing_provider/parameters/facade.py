@@ -1,12 +1,12 @@
-"""What the algorithms for facades have in common, with the symbols of the paper in the help."""
+"""Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
 from .parameter import Flag, Number
 
 DISTANCE = Number(
     "DISTANCE",
     "Distance from a plane",
-    "Points up to this far from a plane can belong to it (ds of the paper). What lies further behind the "
-    "wall is an opening or a recess, what lies further before it a projection. Decrease it for shallow "
+    "Largest distance of a point from its plane (ds of the paper). Points further behind the wall belong to "
+    "an opening or a recess, points further in front of it to a projection. Decrease it for shallow "
     "recesses, increase it for rough or bulging walls.",
     unit="m",
     default=0.05,
@@ -17,7 +17,7 @@ DISTANCE = Number(
 MIN_POINTS = Number(
     "MIN_POINTS",
     "Points of the smallest plane",
-    "Planes with fewer points are left out. If not set, 1 % of the points of the main plane.",
+    "Planes with fewer points are left out. If not set: 1 % of the points of the main plane, at least 100.",
     unit="points",
     minimum=3,
     whole=True,
@@ -26,7 +26,7 @@ MIN_POINTS = Number(
 MAX_PLANES = Number(
     "MAX_PLANES",
     "Largest number of planes",
-    "The main plane counts as one; of the others those with most points are kept.",
+    "Includes the main plane. Of the others, the largest are kept.",
     unit="planes",
     default=10,
     minimum=1,
@@ -37,8 +37,8 @@ MAX_PLANES = Number(
 SEED_RADIUS = Number(
     "SEED_RADIUS",
     "Radius of a seed surface",
-    "A region of one colour begins with a surface of at most this radius (td of the paper); on small "
-    "details it is smaller.",
+    "A region of one colour starts from a surface of this radius (td of the paper), or of half or a quarter "
+    "of it on small details.",
     unit="m",
     default=0.2,
     minimum=0.005,
@@ -58,8 +58,8 @@ SEED_COLOUR = Number(
 SEED_VARIANCE = Number(
     "SEED_VARIANCE",
     "Colour variance of a seed surface",
-    "Largest sum of the variances of red, green and blue in a seed surface (Vr of the paper, 200). If not "
-    "set, 200, or more where the noise of the colours asks for it.",
+    "Largest sum of the variances of red, green and blue in a seed surface (Vr of the paper). If not set: "
+    "200 as in the paper, or twice the measured colour noise, if larger.",
     unit="0 to 255, squared",
     minimum=0,
 )
@@ -67,8 +67,8 @@ SEED_VARIANCE = Number(
 GROW_COLOUR = Number(
     "GROW_COLOUR",
     "Colour distance of a region",
-    "A region grows over points whose colour is this near to its mean (tr2 of the paper). Decrease it to "
-    "tell similar colours apart.",
+    "Largest distance of the colour of a point from the mean of the region that it joins (tr2 of the paper). "
+    "Decrease it to separate similar colours.",
     unit="0 to 255",
     default=60,
     minimum=0,
@@ -78,8 +78,8 @@ GROW_COLOUR = Number(
 INTENSITY = Number(
     "INTENSITY",
     "Intensity difference of surfaces",
-    "Regions whose mean intensities differ by less are one surface, so that shadows do not count (f of the "
-    "paper), as a share of the intensity of the wall. If not set, twice the noise of the intensity.",
+    "Regions whose mean intensities differ by less are one surface (f of the paper), so that shadows do not "
+    "become details. A share of the intensity of the wall. If not set: twice the measured intensity noise.",
     unit="share",
     minimum=0,
     maximum=10,
@@ -88,8 +88,8 @@ INTENSITY = Number(
 TRIANGLE_FACTOR = Number(
     "TRIANGLE_FACTOR",
     "Large triangles",
-    "Triangles between points of a region that are larger than this many times the mean are large (delta "
-    "of the paper).",
+    "A triangle between points of a plane is large if its area exceeds the mean by this factor (delta of the "
+    "paper).",
     unit="mean areas",
     default=3,
     minimum=1,
@@ -99,7 +99,7 @@ TRIANGLE_FACTOR = Number(
 TRIANGLE_COUNT = Number(
     "TRIANGLE_COUNT",
     "Large triangles of a point",
-    "A point with more large triangles is noise (eta of the paper).",
+    "A point that belongs to more large triangles is noise (eta of the paper).",
     unit="triangles",
     default=5,
     minimum=0,
@@ -110,7 +110,7 @@ TRIANGLE_COUNT = Number(
 NOISE_ITERATIONS = Number(
     "NOISE_ITERATIONS",
     "Rounds of noise removal",
-    "Noise is removed in rounds until none is left, at most this often; 0 removes none.",
+    "Largest number of rounds; they end when no noise is left. 0 keeps all points.",
     unit="rounds",
     default=10,
     minimum=0,
@@ -122,8 +122,8 @@ NOISE_ITERATIONS = Number(
 ALPHA = Number(
     "ALPHA",
     "Alpha of the outline",
-    "Radius of the disc that the outline of the wall is excavated with. Decrease it for finer gaps, increase "
-    "it if the outline frays. If not set, it follows the spacing of the points.",
+    "Alpha-shape radius. Smaller keeps finer gaps, larger closes frayed outlines. If not set, it follows the "
+    "spacing of the points.",
     unit="m",
     minimum=0.0001,
     decimals=4,
@@ -133,7 +133,7 @@ ALPHA = Number(
 MIN_AREA = Number(
     "MIN_AREA",
     "Area of the smallest detail",
-    "Smaller details are left out. If not set, the square of the radius of a seed surface.",
+    "Smaller details are left out. If not set: the square of SEED_RADIUS.",
     unit="m2",
     minimum=0.0001,
     decimals=4,
@@ -143,15 +143,15 @@ MIN_AREA = Number(
 REGULARISE = Flag(
     "REGULARISE",
     "Rectangles and arches",
-    "Outlines become rectangles or arches, level and plumb, where the points allow; all others stay as "
-    "they were seen. Off, all stay so.",
+    "Outlines become level and plumb rectangles or arches where the points agree with such a shape. All "
+    "other outlines follow the points. If off, all outlines follow the points.",
     default=True,
 )
 
 PIXEL_SIZE = Number(
     "PIXEL_SIZE",
     "Pixel size of the orthoimage",
-    "If not set, 1, 2 or 5 times a power of ten, not less than the spacing of the points.",
+    "If not set: the spacing of the points, rounded up to 1, 2 or 5 times a power of ten.",
     unit="m",
     minimum=0.0001,
     maximum=10,
@@ -162,7 +162,7 @@ PIXEL_SIZE = Number(
 FILL_HOLES = Flag(
     "FILL_HOLES",
     "Fill holes of the orthoimage",
-    "Pixels without points take the colour of the nearest. Off, they are transparent.",
+    "Pixels without points take the colour of the nearest pixel with points. If off, they are transparent.",
     default=False,
 )
 
@@ -180,4 +180,4 @@ SETTINGS = {
     "min_area_m2": MIN_AREA,
     "regularise": REGULARISE,
 }
-"""The parameters, by the settings of the core that they are."""
+"""The parameters by the names of their settings in the core."""

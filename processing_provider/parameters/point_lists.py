@@ -5,13 +5,14 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from qgis.core import (
     NULL,
     QgsFeature,
     QgsMapLayer,
     QgsProcessing,
+    QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterVectorLayer,
@@ -30,6 +31,12 @@ from .parameter import Parameter
 if TYPE_CHECKING:
     from ...algorithms.registration.lists.point_list import PointList
 
+Item = Union[QgsMapLayer, str]
+"""A layer, or a path to a file."""
+
+Coordinates = tuple[float, ...]
+"""Two or three coordinates."""
+
 POINTS = QgsProcessing.SourceType.TypeVectorPoint
 
 
@@ -37,14 +44,16 @@ POINTS = QgsProcessing.SourceType.TypeVectorPoint
 class PointListFile(Parameter):
     """One list of points.
 
-    Its definition asks for a vector layer, for then the dialog offers the layers of the project beside a
-    file chooser, which lets pass text files too.
+    Its definition asks for a vector layer, because then the dialog offers the layers of the project and a
+    file chooser, which accepts text files too.
     """
 
     def _definition(self) -> QgsProcessingParameterVectorLayer:
         return QgsProcessingParameterVectorLayer(self.name, self.description, [POINTS])
 
-    def value(self, algorithm, parameters, context) -> "PointList":
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> "PointList":
         items = _items(parameters.get(self.name), context)
         if not items:
             raise InputError(f"{self.name} is empty; choose a text file or a layer of points.")
@@ -52,8 +61,8 @@ class PointListFile(Parameter):
             raise InputError(f"{self.name} takes one list of points, not {len(items)}; choose one.")
         return _read(items[0])
 
-    def sources(self, value) -> list:
-        return [value.path] if value.path else []
+    def sources(self, value: "PointList") -> list[str]:
+        return [str(value.path)] if value.path else []
 
 
 @dataclass(frozen=True)
@@ -63,22 +72,24 @@ class PointListFiles(Parameter):
     def _definition(self) -> QgsProcessingParameterMultipleLayers:
         return QgsProcessingParameterMultipleLayers(self.name, self.description, POINTS)
 
-    def value(self, algorithm, parameters, context) -> list:
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> "list[PointList]":
         lists = [_read(item) for item in _items(parameters.get(self.name), context)]
         if not lists:
             raise InputError(f"{self.name} is empty; choose at least one text file or layer of points.")
         names = [points.name for points in lists]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
-            raise InputError(f"{self.name} has two lists called {twice}; leave out or rename one of them.")
+            raise InputError(f"{self.name} has two lists called {twice}; remove or rename one of them.")
         return lists
 
-    def sources(self, value) -> list:
-        return [points.path for points in value if points.path]
+    def sources(self, value: "list[PointList]") -> list[str]:
+        return [str(points.path) for points in value if points.path]
 
 
-def _items(given, context: QgsProcessingContext) -> list:
-    """Return layers and paths from any of the spellings that dialogs, scripts, models and shells have."""
+def _items(given: Any, context: QgsProcessingContext) -> list[Item]:
+    """Return layers and paths from any spelling of dialogs, scripts, models and shells."""
     if isinstance(given, QgsProperty):
         given, _ = given.value(context.expressionContext())
     if isinstance(given, QgsMapLayer):
@@ -88,28 +99,30 @@ def _items(given, context: QgsProcessingContext) -> list:
     return [_layer_or_path(part, context) for part in split_paths(str(given))] if given else []
 
 
-def _layer_or_path(text: str, context: QgsProcessingContext) -> Union[QgsMapLayer, str]:
+def _layer_or_path(text: str, context: QgsProcessingContext) -> Item:
     loading = False
     layer = None if QFile.exists(text) else QgsProcessingUtils.mapLayerFromString(text, context, loading)
     return layer or text
 
 
-def _read(item: Union[QgsMapLayer, str]) -> "PointList":
+def _read(item: Item) -> "PointList":
     from ...algorithms.registration.lists.point_list import points_of_features, read_point_list
 
     if isinstance(item, str):
-        path, _, layer = item.partition("|layername=")
-        return read_point_list(path, layer or None)
+        file, _, layer = item.partition("|layername=")
+        return read_point_list(file, layer or None)
     if not isinstance(item, QgsVectorLayer) or item.geometryType() != QgsWkbTypes.GeometryType.PointGeometry:
         raise InputError(f"{item.name()} is not a layer of points; choose another.")
     if not item.isValid():
-        raise InputError(f"The layer {item.name()} has lost its file; repair it or choose another.")
+        raise InputError(
+            f"The file of the layer {item.name()} is missing; repair the layer or choose another."
+        )
     path, name = _origin(item)
     return points_of_features(name, f"the layer {item.name()}", _features(item), item.crs().toWkt(), path)
 
 
 def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
-    """Return the file of a layer, None if it has none, and what a list from there is called."""
+    """Return the file of a layer, None without a file, and the name of its list."""
     from ...algorithms.registration.lists.point_layer import list_name
 
     provider = layer.providerType()
@@ -120,15 +133,15 @@ def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
     return path, list_name(path, parts.get("layerName")) if provider == "ogr" else path.stem
 
 
-def _features(layer: QgsVectorLayer) -> Iterator[tuple[Optional[tuple], dict]]:
-    """Yield coordinates and attributes, of the features that the layer shows and as it was edited."""
+def _features(layer: QgsVectorLayer) -> Iterator[tuple[Optional[Coordinates], dict[str, Any]]]:
+    """Yield coordinates and attributes of the features that the layer shows, edits included."""
     fields = layer.fields().names()
     for feature in layer.getFeatures():
         values = [None if value == NULL else value for value in feature.attributes()]
         yield _coordinates(feature), dict(zip(fields, values))
 
 
-def _coordinates(feature: QgsFeature) -> Optional[tuple]:
+def _coordinates(feature: QgsFeature) -> Optional[Coordinates]:
     geometry = feature.geometry().constGet()
     if geometry is not None and QgsWkbTypes.isMultiType(geometry.wkbType()) and geometry.numGeometries() == 1:
         geometry = geometry.geometryN(0)

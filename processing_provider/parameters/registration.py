@@ -1,7 +1,7 @@
-"""What the algorithms that register scans have in common."""
+"""The parameters of the registration of scans."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .parameter import Choice, Number, ReferenceSystem
 from .point_lists import PointListFile, PointListFiles
@@ -13,29 +13,29 @@ if TYPE_CHECKING:
 CONTROL = PointListFile(
     "CONTROL",
     "Control points",
-    "Surveyed points: a text file with x y z or name x y z, or a layer of points with heights. In metres.",
+    "Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.",
 )
 
 TARGETS = PointListFiles(
     "TARGETS",
-    "Targets, a list for each scan",
+    "Targets, one list for each scan",
     "Targets picked in the scans, in the scanner's own frame: text files or layers as for control points. "
-    "A list is named as its file, and so should be the cloud. On the command line, repeat TARGETS=file or "
-    "separate the files by semicolons.",
+    "The name of the file is the name of the scan; give the cloud the same name. On the command line, repeat "
+    "TARGETS=file or separate the files by semicolons.",
 )
 
 MATCHING = Choice(
     "MATCHING",
     "Matching",
-    "How a target finds its control point. By distances no names are needed; by names, a wrong name is found "
-    "out by the distances.",
+    "How targets are matched with control points. By distances, no names are needed. By names, the distances "
+    "reveal wrong names.",
     options=("By distances", "By names"),
 )
 
 SIGMA = Number(
     "SIGMA",
     "Standard deviation of a target",
-    "Of each coordinate of a picked target, before the adjustment. The statistics tell whether it holds.",
+    "Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right.",
     unit="m",
     default=0.003,
     minimum=0.000001,
@@ -46,7 +46,7 @@ SIGMA = Number(
 CONTROL_SIGMA = Number(
     "CONTROL_SIGMA",
     "Standard deviation of a control point",
-    "Of each coordinate of a surveyed point. 0 holds the surveyed points where they are.",
+    "Of each coordinate of a surveyed point. 0 holds the surveyed points fixed.",
     unit="m",
     default=0,
     minimum=0,
@@ -57,8 +57,8 @@ CONTROL_SIGMA = Number(
 TOLERANCE = Number(
     "TOLERANCE",
     "Tolerance of distances",
-    "Largest difference between a distance of targets and one of control points that match. If not set, it "
-    "is derived from the standard deviations; the log tells the value.",
+    "Largest difference between a distance of targets and the matching distance of control points. If not "
+    "set, it is derived from the standard deviations and written to the log.",
     unit="m",
     minimum=0.000001,
     maximum=100,
@@ -68,8 +68,8 @@ TOLERANCE = Number(
 MODEL = Choice(
     "MODEL",
     "Transformation",
-    "What is unknown of a scan. Levelled is for scanners whose compensator keeps them upright; unknown scale "
-    "for models without one, as from photographs.",
+    "Which parameters are estimated. Choose levelled if the compensator of the scanner was on, and unknown "
+    "scale for models that have none, for example from photographs.",
     options=(
         "Rigid, 6 parameters",
         "With a scale near 1, 7 parameters",
@@ -81,12 +81,12 @@ MODEL = Choice(
 
 CRS = ReferenceSystem(
     "CRS",
-    "Coordinate reference system, if the control points name none",
-    "Projected, in metres. A system that the control points name themselves goes before it.",
+    "Coordinate reference system, if the control points have none",
+    "Projected, in metres. Used only for control points without a reference system.",
 )
 
 
-def settings_of(values: dict) -> "Settings":
+def settings_of(values: dict[str, Any]) -> "Settings":
     """Return the settings that the user chose."""
     from ...algorithms.registration.settings import Matching, Model, Settings
 
@@ -99,8 +99,8 @@ def settings_of(values: dict) -> "Settings":
     )
 
 
-def control_of(values: dict) -> "PointList":
-    """Return the control points, in the system that they name, or else the one that the user chose."""
+def control_of(values: dict[str, Any]) -> "PointList":
+    """Return the control points, with their own reference system, or else the one that the user chose."""
     from ...algorithms.reference_systems import parse_wkt, require_metres
 
     control, chosen = values["CONTROL"], values["CRS"]

@@ -1,16 +1,15 @@
-"""What a site plan tells beyond its walls: axes, rooms and the report."""
+"""What a site plan shows beyond its walls: axes, rooms and the report."""
 
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..algorithm import Outcome
 from ..log import Log
-from .destinations import HtmlDestination, LineDestination, PolygonDestination
+from .destinations import HtmlDestination, LineDestination, PolygonDestination, Writer
 from .parameter import Number
 
 if TYPE_CHECKING:
-    from ...algorithms.site_plan.density.density_image import DensityImage
-    from ...algorithms.site_plan.site_plan import SitePlan
+    from ...algorithms.site_plan.results import SitePlan
 
 DOOR_WIDTH = Number(
     "DOOR_WIDTH",
@@ -47,7 +46,7 @@ ROOMS = PolygonDestination(
 REPORT = HtmlDestination(
     "REPORT",
     "Report",
-    "HTML page that shows what each parameter did, and which to turn; see the results viewer.",
+    "HTML page that shows what each parameter did, and which to change; see the results viewer.",
     optional=True,
     by_default=False,
 )
@@ -58,45 +57,29 @@ ROOM_NUMBERS = (
 )
 
 
-def further_outputs(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> Outcome:
-    """Make what is wanted of the axes, the rooms and the report."""
-    from ...algorithms.site_plan.axes.axes import find_axes
+def log_rooms(plan: "SitePlan", log: Log) -> None:
+    """Write to the log which axes and rooms were found, if they were wanted."""
+    if plan.axes is not None:
+        log.info(f"Axes: {len(plan.axes)}, {plan.axes_length:.1f} m long.")
+    if plan.rooms is not None:
+        log.info(f"Rooms: {len(plan.rooms)}, {plan.room_area:.2f} m².")
+
+
+def room_writers(plan: "SitePlan") -> dict[str, Writer]:
+    """Return what writes AXES, ROOMS and REPORT."""
+    from ...algorithms.site_plan.output.layers import write_axes, write_rooms
+
+    writers = {"AXES": write_axes, "ROOMS": write_rooms, "REPORT": _write_report}
+    return {name: partial(write, plan=plan) for name, write in writers.items()}
+
+
+def _write_report(path: Path, plan: "SitePlan") -> None:
+    # Only a report needs the packages that it is made with.
     from ...algorithms.site_plan.output.plan_report import write_report
-    from ...algorithms.site_plan.output.room_layers import write_axes, write_rooms
 
-    rooms = _find_rooms(plan, image, values, log) if values["ROOMS"] else ()
-    writers = {
-        "REPORT": partial(write_report, plan=plan, image=image, settings=_settings(values), rooms=rooms)
-    }
-    numbers = {}
-    if values["AXES"]:
-        axes = find_axes((wall.wall_id, wall.outline) for wall in plan.walls)
-        log.info(f"Axes: {len(axes)}, {sum(axis.length for axis in axes):.1f} m long.")
-        writers["AXES"] = partial(write_axes, axes=axes, crs=image.crs)
-    if values["ROOMS"]:
-        writers["ROOMS"] = partial(write_rooms, rooms=rooms, crs=image.crs)
-        numbers = {"ROOM_COUNT": len(rooms), "ROOM_AREA": sum(room.area for room in rooms)}
-    return Outcome(writers, numbers)
+    write_report(path, plan)
 
 
-def _find_rooms(plan: "SitePlan", image: "DensityImage", values: dict, log: Log) -> tuple:
-    """Find the rooms, and tell of them."""
-    from ...algorithms.site_plan.rooms.rooms import find_rooms, with_floors
-
-    rooms = find_rooms((wall.outline for wall in plan.walls), values["DOOR_WIDTH"])
-    if not rooms:
-        log.warn(["No room is closed: raise DOOR_WIDTH above the widest gap in its walls."])
-    log.info(f"Rooms: {len(rooms)}, {sum(room.area for room in rooms):.2f} m².")
-    return with_floors(rooms, image.ground, image.transform)
-
-
-def _settings(values: dict) -> dict:
-    """Return the parameters that only the run knows, as the report shows them."""
-    return {
-        "SPACING": f"{values['SPACING']:g} m",
-        "NEIGHBOURHOOD": f"{values['NEIGHBOURHOOD']} pixels",
-        "REFINE": "yes" if values["REFINE"] else "no",
-        **{name: f"{values[name]:g} m" for name in ("ZMIN", "ZMAX") if values[name] is not None},
-        **({"HEIGHTS": "above the local ground"} if values["HEIGHTS"] else {}),
-        **({"DOOR_WIDTH": f"{values['DOOR_WIDTH']:g} m"} if values["ROOMS"] else {}),
-    }
+def room_numbers(plan: "SitePlan") -> dict[str, float]:
+    """Return the values of `ROOM_NUMBERS`."""
+    return {} if plan.rooms is None else {"ROOM_COUNT": len(plan.rooms), "ROOM_AREA": plan.room_area}

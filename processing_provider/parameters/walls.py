@@ -1,28 +1,22 @@
 """What the algorithms that extract walls have in common."""
 
 from functools import partial
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any
 
-from ...algorithms.progress import Progress
 from ..log import Log
-from .destinations import PolygonDestination, RasterDestination
+from .destinations import PolygonDestination, RasterDestination, Writer
 from .parameter import Number
 
 if TYPE_CHECKING:
-    from affine import Affine
-    from numpy import ndarray
-    from rasterio.crs import CRS
-
-    from ...algorithms.site_plan.density.density_image import DensityImage, SortedPoints
-    from ...algorithms.site_plan.site_plan import SitePlan
-    from ...algorithms.site_plan.walls.height_gate import Heights
+    from ...algorithms.site_plan.results import WallPlan
+    from ...algorithms.site_plan.walls.extraction import WallParameters
 
 WALL_PARAMETERS = (
     Number(
         "THRESHOLD",
         "Lowest density threshold",
         "Density from which a pixel may be wall. If not set, it is derived from the density of the "
-        "horizontal surfaces; the log tells the value. Raise it if clutter is taken for walls.",
+        "horizontal surfaces and written to the log. Raise it if clutter is taken for walls.",
         unit="standard deviations",
         minimum=0,
     ),
@@ -56,7 +50,7 @@ WALL_PARAMETERS = (
         "CLOSING",
         "Widest gap to close",
         "Joins the two faces of a wall and bridges interruptions. If not set, it is 0.8 m where the heights "
-        "tell where the ground was seen, so that doors stay open, and 0.4 m where they do not.",
+        "show the ground between walls, so that doors stay open, and 0.4 m where they do not.",
         unit="m",
         minimum=0,
         maximum=100,
@@ -64,9 +58,9 @@ WALL_PARAMETERS = (
     Number(
         "MIN_HEIGHT",
         "Least occupied height of a wall",
-        "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Keeps "
-        "out floors and beams; with it, vegetation and furniture are told from walls. Lower it for low "
-        "ruins; 0 uses density alone.",
+        "Height that the points of a pixel must fill between 0.3 and 2.3 m above the local ground. Removes "
+        "floors and beams; also separates vegetation and furniture from walls. Lower it for low ruins; 0 "
+        "uses density alone.",
         unit="m",
         default=0.4,
         minimum=0,
@@ -113,55 +107,30 @@ def plan_destination(optional: bool) -> RasterDestination:
     return RasterDestination("PLAN", "Plan raster", help_text, style="plan", optional=optional)
 
 
-def find_walls(
-    density: "ndarray",
-    heights: "Optional[Heights]",
-    transform: "Affine",
-    values: dict,
-    log: Log,
-    progress: Progress,
-) -> "SitePlan":
-    """Extract the walls with the parameters that the user chose, and tell what was derived."""
-    from ...algorithms.site_plan.site_plan import extract_walls
+def wall_parameters(values: dict[str, Any]) -> "WallParameters":
+    """Return what the user chose."""
     from ...algorithms.site_plan.walls.extraction import WallParameters
 
-    chosen = WallParameters(**{item.name.lower(): values[item.name] for item in WALL_PARAMETERS})
-    plan = extract_walls(density, heights, transform, chosen, progress)
-    image, criteria = plan.image, plan.image.criteria
-    steps = image.thresholds.values
-    log.warn(image.warnings)
-    log.info(f"Thresholds: {len(steps)} from {steps[0]:.2f} to {steps[-1]:.2f} standard deviations.")
-    log.info(f"Smallest region: {criteria.min_area:g} m². Widest gap to close: {image.gap:g} m.")
-    log.info(f"Walls: {len(plan.walls)}, {plan.area:.2f} m², {plan.length:.1f} m long.")
-    return plan
+    return WallParameters(**{item.name.lower(): values[item.name] for item in WALL_PARAMETERS})
 
 
-def refine_outlines(
-    plan: "SitePlan", points: "SortedPoints", image: "DensityImage", log: Log, progress: Progress
-) -> "SitePlan":
-    """Move the outlines onto the faces of the walls, and tell how well they are known."""
-    from ...algorithms.site_plan.faces.refinement import refine_on_points
-
-    refined = refine_on_points(plan, points, image, progress)
-    if refined.foliage:
-        log.info(f"Left out as foliage, for their points lie on no face: {refined.foliage}.")
+def log_walls(plan: "WallPlan", log: Log) -> None:
+    """Write to the log what was derived and found."""
+    values = plan.image.thresholds.values
+    log.info(f"Thresholds: {len(values)} from {values[0]:.2f} to {values[-1]:.2f} standard deviations.")
     log.info(
-        f"Outlines on the faces: {refined.coverage:.0%} of their length has points on it; "
-        f"{refined.area:.2f} m², {refined.length:.1f} m long."
+        f"Smallest region: {plan.image.criteria.min_area:g} m². Widest gap to close: {plan.image.gap:g} m."
     )
-    return refined
+    log.info(f"Walls: {len(plan.walls)}, {plan.area:.2f} m², {plan.length:.1f} m long.")
 
 
-def wall_writers(plan: "SitePlan", transform: "Affine", crs: "Optional[CRS]") -> dict:
+def wall_writers(plan: "WallPlan") -> dict[str, Writer]:
     """Return what writes PLAN and WALLS."""
     from ...algorithms.site_plan.output.layers import write_plan, write_walls
 
-    return {
-        "PLAN": partial(write_plan, plan=plan, transform=transform, crs=crs),
-        "WALLS": partial(write_walls, plan=plan, crs=crs),
-    }
+    return {"PLAN": partial(write_plan, plan=plan), "WALLS": partial(write_walls, plan=plan)}
 
 
-def wall_numbers(plan: "SitePlan") -> dict:
+def wall_numbers(plan: "WallPlan") -> dict[str, float]:
     """Return the values of `WALL_NUMBERS`."""
     return {"WALL_COUNT": len(plan.walls), "WALL_AREA": plan.area, "WALL_LENGTH": plan.length}

@@ -92,3 +92,47 @@ def test_a_package_that_is_installed_but_broken_is_reported(run, monkeypatch, ro
     monkeypatch.setitem(sys.modules, "ichnograph.algorithms.clouds.thinning.thinning", None)
     with pytest.raises(QgsProcessingException, match=f"Python {VERSION} of QGIS cannot be loaded"):
         run("thincloud", INPUT=room, OUTPUT=str(tmp_path / "thin.las"))
+
+
+REPORTING = ("jinja2", "matplotlib")
+
+
+@pytest.fixture
+def lengths(tmp_path):
+    """Write a schedule and a reference; return parameters of comparelengths."""
+    given = {"SCHEDULE": "id,width,height,sill\n1,1.2,1.5,0.9\n", "REFERENCE": "id,width\n1,1.19\n"}
+    for name, content in given.items():
+        (tmp_path / f"{name}.csv").write_text(content)
+    return {**{name: str(tmp_path / f"{name}.csv") for name in given}, "TABLE": str(tmp_path / "table.csv")}
+
+
+def test_without_the_packages_of_reports_only_the_report_is_refused(
+    run, lengths, without, tmp_path, monkeypatch
+):
+    from qgis.core import QgsProcessingException
+
+    for name in [name for name in sys.modules if name.startswith("ichnograph.algorithms.reporting.")]:
+        monkeypatch.delitem(sys.modules, name)
+    for module in ("lengths_report", "plan_report"):
+        monkeypatch.delitem(sys.modules, f"ichnograph.algorithms.evaluation.{module}", raising=False)
+    without(*REPORTING, managed=True)
+    assert run("comparelengths", **lengths, REPORT=None)["COUNT"] == 1
+    with pytest.raises(QgsProcessingException) as caught:
+        run("comparelengths", **lengths, REPORT=str(tmp_path / "report.html"))
+    assert str(caught.value).startswith(
+        f"REPORT cannot be written: The Python {VERSION} of QGIS lacks jinja2, matplotlib; run `"
+    )
+    assert "sudo apt install python3-jinja2 python3-matplotlib`" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "key", ["registerscans", "simulateregistration", "siteplan", "compareplan", "comparelengths"]
+)
+def test_a_report_is_not_made_by_default_without_its_packages(provider, without, key):
+    def by_default():
+        algorithm = provider.algorithm(key).create()
+        return algorithm.parameterDefinition("REPORT").createByDefault()
+
+    usual = by_default()
+    without("matplotlib", managed=True)
+    assert (usual, by_default()) == (key != "siteplan", False)

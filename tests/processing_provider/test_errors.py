@@ -70,7 +70,7 @@ def test_a_file_that_is_not_a_raster_is_named(refuse, room, tmp_path):
         ("siteplan", "PLAN", "nowhere/plan.tif", "create it first."),
         ("siteplan", "WALLS", "density.tif", "end the name in .gpkg or .shp."),
         ("siteplan", "PLAN", "density.tif", "choose another name."),
-        ("thincloud", "OUTPUT", "thin.zip", "end the name in .laz or .las or .xyz or .csv or .txt."),
+        ("thincloud", "OUTPUT", "thin.zip", "end the name in .laz or .las or .xyz or .txt or .csv."),
     ],
 )
 def test_an_output_that_cannot_be_written_is_refused(refuse, room, tmp_path, algorithm, output, name, remedy):

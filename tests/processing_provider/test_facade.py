@@ -234,3 +234,14 @@ def test_ground_alone_is_refused_in_one_sentence(run, tmp_path, algorithm):
     with pytest.raises(QgsProcessingException, match="No upright plane"):
         run(algorithm, INPUT=str(tmp_path / "ground.xyz"), **{output: str(tmp_path / "out.shp")})
     assert [path.name for path in tmp_path.iterdir()] == ["ground.xyz"]
+
+
+def test_defaults_of_parameters_are_those_of_the_settings():
+    from ichnograph.algorithms.facade.planes.settings import PlaneSettings
+    from ichnograph.algorithms.facade.settings import FacadeSettings
+    from ichnograph.processing_provider.parameters.facade import MAX_PLANES, MIN_POINTS, SETTINGS
+
+    shown = {name: parameter.default for name, parameter in SETTINGS.items()}
+    assert shown == {name: getattr(FacadeSettings(), name) for name in SETTINGS}
+    assert MIN_POINTS.default == PlaneSettings().min_points
+    assert MAX_PLANES.default == PlaneSettings().max_planes

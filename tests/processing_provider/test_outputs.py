@@ -5,7 +5,8 @@ import laspy
 import numpy as np
 import pytest
 import rasterio
-from ichnograph.algorithms.site_plan.output.layers import BANDS, WALL_FIELDS
+from ichnograph.algorithms.site_plan.density.density_raster import BANDS
+from ichnograph.algorithms.site_plan.output.layers import WALL_FIELDS
 from ichnograph.tests.processing_provider.room import CORNER, room_points, write_las
 from rasterio.crs import CRS
 

@@ -40,10 +40,26 @@ def test_the_axes_run_around_the_room(made):
     assert {row["wall_id"] for row in rows} == {1}
 
 
+def test_warnings_reach_the_log_even_if_no_wall_is_found(run, room, tmp_path, feedback):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="No wall found"):
+        run("siteplan", feedback, INPUT=room, SPACING=0.12, MIN_AREA=999, WALLS=str(tmp_path / "walls.gpkg"))
+    assert [warning for warning in feedback.warnings if warning.startswith("SPACING 0.12 m is wider")]
+
+
 def test_the_report_tells_what_the_run_was_given(made):
     page = Path(made["REPORT"]).read_text(encoding="utf-8")
     assert "Site plan" in page
     assert "DOOR_WIDTH" in page
+
+
+def test_the_defaults_of_the_parameters_are_those_of_the_core(plugin):
+    from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+    from ichnograph.processing_provider.algorithms.site_plan import SitePlanAlgorithm, settings_of
+
+    defaults = {item.name: getattr(item, "default", None) for item in SitePlanAlgorithm.inputs}
+    assert settings_of({**defaults, "HEIGHTS": 0, "AXES": None, "ROOMS": None}) == SitePlanSettings()
 
 
 def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, tmp_path):

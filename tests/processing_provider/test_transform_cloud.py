@@ -98,7 +98,7 @@ def test_a_missing_reference_system_is_told(transform, scans, feedback):
     transform("hall.laz", TRANSFORMS=str(scans / "by_hand.json"))
 
     (warning,) = feedback.warnings
-    assert warning.endswith("names no coordinate reference system, so the results have none either.")
+    assert warning.endswith("states no coordinate reference system, so the results have none either.")
 
 
 def test_a_scan_that_is_not_registered_is_left_out_and_the_others_are_written(transform, tmp_path, feedback):

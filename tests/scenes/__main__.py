@@ -2,7 +2,7 @@
 
 python3 -m ichnograph.tests.scenes ruins out.laz --angular-step 0.2 --truth walls.geojson
 
-With --survey, every station is a file in its own frame with a list of targets, as it comes from the field.
+With --survey, every station is a file in its own frame, with a list of its targets, as in the field.
 """
 
 import argparse
@@ -79,7 +79,7 @@ def _arguments() -> argparse.Namespace:
 
 
 def main() -> None:
-    """Scan the scene that the command line names."""
+    """Scan the scene named on the command line."""
     arguments = _arguments()
     angle, *shift = arguments.move
     scene = SCENES[arguments.scene](arguments.seed).moved(angle, shift)

@@ -12,7 +12,7 @@ OUTER = 0.35
 
 
 def _dividers(random: np.random.Generator, length: float, rooms: int) -> np.ndarray:
-    """Return where the rooms of a row begin and end."""
+    """Return the limits of the rooms of a row."""
     even = np.linspace(0, length, rooms + 1)
     even[1:-1] += random.uniform(-0.5, 0.5, rooms - 1)
     return even

@@ -1,4 +1,4 @@
-"""What of a plan the true walls can judge besides its boundary: thickness, rooms, and walls that are none."""
+"""Comparison of a plan with the true walls beyond its boundary: thickness, rooms, and false walls."""
 
 from collections.abc import Iterator
 from typing import Optional
@@ -9,40 +9,40 @@ from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
 THICKEST = 1.2
-"""Thicker places are no walls, but columns and corners, metres."""
+"""Thicker sections are columns and corners, not walls (m)."""
 
 SECTIONS = 0.25
-"""Distance between places where the thickness is measured, metres."""
+"""Distance between the stations at which the thickness is measured (m)."""
 
 NEAR = 0.01
-"""A place so near to what was seen was seen, metres."""
+"""A point this near to the seen boundary counts as seen (m)."""
 
 OFF = 0.20
-"""What a face may be off, to be measured at all; what is farther from a true wall is none, metres."""
+"""A face further than this from the true wall is not compared with it, and a wall is false (m)."""
 
 DEPTH = 0.04
-"""No wall is so thin that a place so far behind its face is not in it, metres."""
+"""A point this far behind a face is inside every wall, however thin (m)."""
 
 WIDEST_DOOR = 1.3
-"""A gap in a wall up to this width does not open a room, metres."""
+"""A gap in a wall up to this width does not open a room (m)."""
 
 DOUBT, DOUBTFUL = 0.1, 0.05
-"""Rooms whose area differs by such a share if doors are so much (m) narrower or wider are not asked for."""
+"""Rooms are left out if their area changes by this share when doors are this much narrower or wider (m)."""
 
 SMALLEST_ROOM = 1.5
 """Square metres."""
 
 SEEN_SHARE = 0.95
-"""Of the boundary of a room, for its area to be asked for."""
+"""Share of the boundary of a room that must have been seen for its area to be compared."""
 
 
 def thickness_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) -> np.ndarray:
-    """Return how much too thick walls are, at sections across true walls whose two faces were seen.
+    """Return the errors of the thickness of walls, at sections across true walls with both faces seen.
 
     Returns
     -------
     ndarray, shape (n,)
-        Metres; sections where the plan lacks a face are left out, for completeness counts them.
+        In metres. Sections where the plan lacks a face are left out, because completeness counts them.
     """
     errors = []
     for place, inwards in _sections(truth):
@@ -59,9 +59,9 @@ def thickness_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometr
 
 
 def room_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) -> list[float]:
-    """Return the error of the area of each true room that was seen all around, as a share of its area.
+    """Return the error of the area of each true room seen all around, as a share of its area.
 
-    A room that the plan does not have counts 1.
+    A room that the plan lacks counts 1.
     """
     found = closed_spaces(walls, WIDEST_DOOR)
     others = [closed_spaces(truth, WIDEST_DOOR + change) for change in (-DOUBT, DOUBT)]
@@ -75,7 +75,7 @@ def room_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) ->
 
 
 def _difference(room: Polygon, spaces: list[Polygon]) -> float:
-    """Return how much the area of the space that is this room differs from it; 1 if none is."""
+    """Return the error of the area of the space that matches a room; 1 without such a space."""
     same = max(spaces, key=lambda space: room.intersection(space).area, default=Polygon())
     if room.intersection(same).area <= 0.5 * max(room.area, same.area):
         return 1.0
@@ -83,14 +83,14 @@ def _difference(room: Polygon, spaces: list[Polygon]) -> float:
 
 
 def closed_spaces(walls: BaseGeometry, widest_door: float) -> list[Polygon]:
-    """Return what walls enclose, once their gaps up to `widest_door` (m) are bridged.
+    """Return the spaces that walls enclose after gaps up to `widest_door` (m) are bridged.
 
-    Corners are rounded: GEOS loses rooms where it keeps them sharp.
+    Corners are rounded, because GEOS loses rooms with sharp ones.
     """
     narrowed = walls.buffer(widest_door / 2)
     around = narrowed.envelope.buffer(1.0)
     free = around.difference(narrowed)
-    # One by one, for rooms on both sides of a thin wall would meet in its doors.
+    # One by one, because rooms on both sides of a thin wall would meet in its doors.
     spaces = [
         part.buffer(widest_door / 2)
         for part in getattr(free, "geoms", [free])
@@ -100,7 +100,7 @@ def closed_spaces(walls: BaseGeometry, widest_door: float) -> list[Polygon]:
 
 
 def phantom_length(walls: BaseGeometry, truth: BaseGeometry) -> float:
-    """Return the length of the longest piece of the plan that is farther than `OFF` from all true walls."""
+    """Return the length of the longest piece of the plan further than `OFF` from all true walls."""
     phantoms = walls.difference(truth.buffer(OFF))
     lengths = [_extent(part) for part in getattr(phantoms, "geoms", [phantoms]) if not part.is_empty]
     return max(lengths, default=0.0)
@@ -114,21 +114,21 @@ def _extent(shape: BaseGeometry) -> float:
 
 
 def _sections(truth: BaseGeometry) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Yield places along the boundary, and the directions into the wall there."""
+    """Yield points along the boundary, and the directions into the wall there."""
     for part in truth.geoms:
         polygon = orient(part)
         for ring in (polygon.exterior, *polygon.interiors):
             corners = np.asarray(ring.coords)
             for start, end in zip(corners, corners[1:]):
                 length = np.hypot(*(end - start))
-                # A corner may be there twice.
+                # A corner may be listed twice.
                 along = (end - start) / max(length, 1e-9)
                 for way in np.arange(SECTIONS / 2, length, SECTIONS):
                     yield start + way * along, np.array([-along[1], along[0]])
 
 
 def _interval(place: np.ndarray, inwards: np.ndarray, walls: BaseGeometry) -> Optional[tuple[float, float]]:
-    """Return from where to where a line across lies in the wall at `place`, metres from it; None if not."""
+    """Return the limits of the wall along a line across it, in metres from `place`; None outside walls."""
     line = LineString([place - OFF * inwards, place + (THICKEST + OFF) * inwards])
     parts = line.intersection(walls)
     inner = Point(place + DEPTH * inwards)

@@ -1,4 +1,4 @@
-"""Furnished rooms under beams, turned against the axes, with far reflections."""
+"""Furnished rooms under beams, rotated against the axes, with far reflections."""
 
 import numpy as np
 from shapely.geometry import box
@@ -32,14 +32,14 @@ def _furniture(random: np.random.Generator, room) -> list[Prism]:
 
 
 def _floor_grid(left: float, right: float, south: float, north: float) -> list[Prism]:
-    """Return the stringers of a raised floor that is not laid yet."""
+    """Return the stringers of an unfinished raised floor."""
     across = [masonry([(x, south), (x, north)], 0.03) for x in np.arange(left, right, 0.6)]
     along = [masonry([(left, y), (right, y)], 0.03) for y in np.arange(south, north, 0.6)]
     return [Prism(stringer, 0.15, 0.12, "furniture") for stringer in across + along]
 
 
 def rooms(seed: int = 0) -> Scene:
-    """Build six rooms in two rows, turned by 28 degrees."""
+    """Build six rooms in two rows, rotated by 28 degrees."""
     random = np.random.default_rng(seed)
     cuts = np.concatenate([[0], np.cumsum(random.uniform(4.5, 6.5, 3))])
     middle = random.uniform(4.5, 5.5)

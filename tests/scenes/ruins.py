@@ -78,7 +78,7 @@ def _footing(random: np.random.Generator, axis) -> Prism:
 
 
 def _scatter(random: np.random.Generator, ground: Ground, prisms: list[Prism]) -> list[Plant]:
-    """Add rubble to `prisms`, return bushes, some against walls, none on a scanner."""
+    """Add rubble to `prisms`, and return bushes: some touch walls, all keep clear of scanners."""
     walls = [prism.footprint for prism in prisms]
     scanners = [disc(x, y, 1.8) for x, y in STATIONS]
     plants = []

@@ -1,4 +1,4 @@
-"""A panoramic laser scanner: the first thing each ray meets."""
+"""A panoramic laser scanner: the first object that each ray meets."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -25,7 +25,7 @@ NOTHING, GROUND, SIDE, LEVEL, FOLIAGE = range(5)
 
 
 class Bodies(NamedTuple):
-    """Prisms as flat arrays; the edges of a prism, and the pieces of an edge, follow each other.
+    """Prisms as flat arrays; the edges of a prism are contiguous, and so are the pieces of an edge.
 
     `waves`, (k, 4), are wave vectors and phases, whose sum is the relief of all masonry.
     """
@@ -52,7 +52,7 @@ class Surroundings(NamedTuple):
 
 
 class Optics(NamedTuple):
-    """How far and how well the scanner sees; `ghosts` is the share of far reflections."""
+    """Range and noise of the scanner; `ghosts` is the share of far reflections."""
 
     max_range: float
     noise: float
@@ -163,7 +163,7 @@ def _spans(origin, east, north, bodies, crossings, spans, entries):
 
 @njit(cache=True, nogil=True)
 def _meet_solids(height, clearance, climbs, slope, bodies, spans, entries, column):
-    """Let every ray of a column end at the first ground or prism.
+    """End every ray of a column at the first ground or prism.
 
     `height` and `clearance` are those of the scanner above zero and above the ground, `climbs`
     and `slope` the rise of the rays and of the ground per metre of horizontal distance.
@@ -206,7 +206,7 @@ def _plants_ahead(origin, east, north, plants):
 
 @njit(cache=True, nogil=True)
 def _meet_plants(origin, east, north, climbs, plants, column):
-    """Let every ray of a column end at the first leaf before the end it has.
+    """End every ray of a column at the first leaf before its present end.
 
     A direction of horizontal length 1 makes distances horizontal, like those in `column`.
     """
@@ -232,7 +232,7 @@ def _meet_plants(origin, east, north, climbs, plants, column):
 
 @njit(cache=True, nogil=True)
 def _deform(point, slope_x, slope_y, bodies, prism, span, is_side):
-    """Move a point of a leaning or rough prism, on which it was cast as if it were neither."""
+    """Move a point of a leaning or rough prism; the ray was cast on a plumb and smooth one."""
     relief, lean = bodies.relief[prism], bodies.lean[prism]
     bulge = 0.0
     if is_side and relief > 0:
@@ -263,7 +263,7 @@ def panorama(origin, azimuths, elevations, bodies, surroundings, optics, seed):
     points : ndarray, shape (n, 3)
     intensity : ndarray of uint16, shape (n,)
     hits : ndarray of int64, shape (pieces,)
-        How many rays met each piece of an edge.
+        Numbers of rays that met each piece of an edge.
     """
     np.random.seed(seed)
     rays = azimuths.size * elevations.size

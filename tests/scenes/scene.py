@@ -1,4 +1,4 @@
-"""A scene and its scans. All is simulated in the scene's own frame and moved at the end."""
+"""A scene and its scans. Everything is simulated in the frame of the scene and moved at the end."""
 
 from collections.abc import Container
 from concurrent.futures import ThreadPoolExecutor
@@ -47,7 +47,7 @@ class Pose:
 
 @dataclass(frozen=True)
 class Scan:
-    """What the scanner returned from all stations of a scene.
+    """The points that the scanner returned from all stations of a scene.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Scan:
 
 @dataclass(frozen=True)
 class Scene:
-    """Things, the ground they stand on, and the stations to scan them from.
+    """Objects, the ground on which they stand, and the stations from which they are scanned.
 
     Parameters
     ----------
@@ -79,9 +79,9 @@ class Scene:
     ground : Ground
     plants : tuple of Plant
     max_range : float
-        No return from beyond (m).
+        Beyond it nothing returns (m).
     ghosts : float
-        Share of returns from prisms that come back, reflected, as points far behind.
+        Share of returns from prisms that appear, after a reflection, as points far behind.
     range_noise : float
         Standard deviation along the ray that the scanner of this scene has (m).
     pose : Pose
@@ -138,7 +138,7 @@ class Scene:
         return self.pose.points(self._lifted(self.scanners))
 
     def moved(self, angle_degrees: float, shift_xyz: tuple[float, float, float]) -> "Scene":
-        """Return the scene turned anticlockwise about the world's z axis, then shifted (m)."""
+        """Return the scene rotated anticlockwise about the world's z axis, then shifted (m)."""
         return replace(self, pose=self.pose.then(Pose(angle_degrees, tuple(shift_xyz))))
 
     def scan(
@@ -159,7 +159,7 @@ class Scene:
         seed : int
             Of noise, foliage and the first azimuth of each station.
         without : container of int
-            Rows of `stations` that are left out; the others return the same points as with them.
+            Rows of `stations` to leave out; the points of the others do not change.
         """
         step = np.radians(angular_step)
         azimuths = step * np.arange(round(360 / angular_step))

@@ -1,4 +1,4 @@
-"""Builders of the things that scenes share. Lengths in metres."""
+"""Builders of the objects that scenes share. Lengths are in metres."""
 
 from collections.abc import Sequence
 
@@ -25,7 +25,7 @@ def disc(x: float, y: float, radius: float, corners: int = 32) -> Polygon:
 
 
 def block(x: float, y: float, width: float, depth: float, angle: float = 0.0) -> Polygon:
-    """Return a rectangle centred on (x, y), turned by `angle` (degrees)."""
+    """Return a rectangle centred on (x, y), rotated by `angle` (degrees)."""
     flat = box(x - width / 2, y - depth / 2, x + width / 2, y + depth / 2)
     return rotate(flat, angle, origin=(x, y)) if angle else flat
 
@@ -42,7 +42,7 @@ def shell(outline: Polygon, thickness: float) -> Polygon:
 
 
 def polygons(geometry) -> list[Polygon]:
-    """Return the polygons that `geometry` is made of."""
+    """Return the polygons of a geometry."""
     return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 1e-9]
 
 
@@ -131,7 +131,7 @@ def tree(random: np.random.Generator, ground: Ground, x: float, y: float):
 
 
 def person(ground: Ground, x: float, y: float) -> Prism:
-    """Return somebody who stands still while all stations scan."""
+    """Return a person who does not move while all stations scan."""
     return standing(disc(x, y, 0.22, 16), 1.72, ground, "person")
 
 
@@ -143,5 +143,5 @@ def rubble(random: np.random.Generator, ground: Ground, x: float, y: float) -> P
 
 
 def free_of(x: float, y: float, radius: float, footprints: Sequence[Polygon]) -> bool:
-    """Tell whether all `footprints` are farther than `radius` from (x, y)."""
+    """Whether all `footprints` are further than `radius` from (x, y)."""
     return all(footprint.distance(Point(x, y)) > radius for footprint in footprints)

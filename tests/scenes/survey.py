@@ -1,4 +1,4 @@
-"""A scan as it comes from the field: each station in its own frame, with targets, and control points."""
+"""A scan as in the field: each station in its own frame, with its targets, and control points."""
 
 from dataclasses import dataclass
 
@@ -8,13 +8,13 @@ from scipy.spatial import cKDTree
 from .scene import Pose, Scan, Scene
 
 APART = 1.5
-"""Between targets (m)."""
+"""Least distance between targets (m)."""
 
 NEAR = 0.10
-"""A station sees a target if it has a point so close (m)."""
+"""A station sees a target if one of its points is this close (m)."""
 
 CONTROL_SHARE = 0.6
-"""Of the targets that are surveyed; the others only join stations."""
+"""Share of the targets that are surveyed; the others only connect stations."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Survey:
     frames : tuple of Pose
         From the frame of each station to the world.
     picked : tuple of ndarray, shape (k, 3)
-        The targets of each station in its own frame, in no order.
+        The targets of each station in its own frame, in random order.
     """
 
     control: dict
@@ -70,7 +70,7 @@ def in_frame(frame: Pose, points: np.ndarray) -> np.ndarray:
 
 
 def _apart(points: np.ndarray, count: int) -> np.ndarray:
-    """Return the first points of which no two are too close."""
+    """Return the first points that keep the least distance from each other."""
     kept: list = []
     for point in points:
         if all(np.linalg.norm(point - other) >= APART for other in kept):

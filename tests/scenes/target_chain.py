@@ -12,7 +12,7 @@ CORNER = np.array([500_000.0, 5_700_000.0, 120.0])
 
 @dataclass(frozen=True)
 class TargetChain:
-    """Scans that hang on each other, and the truth.
+    """Scans that are connected to each other only, and the truth.
 
     Attributes
     ----------
@@ -23,7 +23,7 @@ class TargetChain:
     matrices : dict of str to ndarray, shape (4, 4)
         From the frames of the scans to the control frame.
     places : dict of str to dict of str to ndarray, shape (3,)
-        Where the targets of each scan are, by their names.
+        True positions of the targets of each scan, by their names.
     """
 
     control: PointList
@@ -35,7 +35,7 @@ class TargetChain:
 def target_chain(
     length: int, seed: int, targets: int = 5, noise: float = 0.003, control_noise: float = 0.0
 ) -> TargetChain:
-    """Make a chain of `length` scans with as many `targets` in every room.
+    """Return a chain of `length` scans with the same number of `targets` in every room.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ SIZE = np.array([30.0, 20.0, 9.0])
 STOREY = 3.0
 PILLAR = 0.4
 CLEARANCE = 0.10
-"""No two places of a scene are closer (m)."""
+"""Least distance between two positions of a scene (m)."""
 
 CORNER = np.array([500_000.0, 5_700_000.0, 120.0])
 """South-west of the building, on its floor, in a national grid."""
@@ -29,7 +29,7 @@ class TargetScene:
     control, targets : PointList
         In a national grid, and in the scanner's own frame.
     truth : dict of str to str or None
-        For every target its control point, None if it has none.
+        The control point of every target; None without one.
     matrix : ndarray, shape (4, 4)
         From the scanner's frame to the grid.
     """
@@ -49,19 +49,19 @@ def target_scene(
     tilt: Optional[float] = None,
     scale: float = 1.0,
 ) -> TargetScene:
-    """Make a scene.
+    """Return a scene.
 
     Parameters
     ----------
     control, picked, common : int
-        Number of control points, of targets picked in the scan, and of those that are control points. The
-        other targets are other places of the same building.
+        Numbers of control points, of targets picked in the scan, and of those that are control points. The
+        other targets are elsewhere on the same building.
     noise : float
         Standard deviation of a target's coordinate (m).
     seed : int
-        Of the places, the pose and the noise.
+        Of the positions, the pose and the noise.
     tilt : float or None
-        Standard deviation of the tilt about the level axes (degrees); None for any rotation at all.
+        Standard deviation of the tilt about the level axes (degrees); None for any rotation.
     scale : float
         Metres of the grid in a unit of the scanner's frame.
     """
@@ -82,9 +82,9 @@ def target_scene(
 
 
 def _places(count: int, random: np.random.Generator) -> np.ndarray:
-    """Return places on the building: seven of ten on walls, the others on pillars and floors."""
+    """Return positions on the building: seven of ten on walls, the others on pillars and floors."""
     surfaces, weights = _building()
-    # More than are needed, for those that crowd another are dropped.
+    # More than needed, because those too close to another are dropped.
     chosen = surfaces[random.choice(len(surfaces), 2 * count + 50, p=weights)]
     share = random.random((2, len(chosen), 1))
     points = chosen[:, 0] + share[0] * chosen[:, 1] + share[1] * chosen[:, 2]
@@ -93,7 +93,7 @@ def _places(count: int, random: np.random.Generator) -> np.ndarray:
 
 
 def _building() -> tuple[np.ndarray, np.ndarray]:
-    """Return rectangles, shape (n, 3, 3), as a corner and two edges, and how likely each bears a place."""
+    """Return rectangles, shape (n, 3, 3), as a corner and two edges, and the probability of each."""
     length, depth, height = SIZE
     east, north, up = np.diag(SIZE)
     walls = [(0 * east, east, up), (north, east, up), (0 * east, north, up), (east, north, up)]
@@ -112,7 +112,7 @@ def _building() -> tuple[np.ndarray, np.ndarray]:
 
 
 def _pose(random: np.random.Generator, tilt: Optional[float], scale: float) -> np.ndarray:
-    """Return a scanner somewhere in the building, in any heading."""
+    """Return the pose of a scanner in the building, with any heading."""
     if tilt is None:
         rotation = Rotation.random(random_state=random.integers(2**32))
     else:

@@ -11,7 +11,7 @@ from .things import Ground, Prism
 
 WIDTH, DEPTH = 26.0, 20.0
 STEP_AT = 10.0
-"""Where the upper terrace begins."""
+"""The y at which the upper terrace begins (m)."""
 
 
 def _rubble_wall(random: np.random.Generator, ground: Ground, axis, thickness: float) -> list[Prism]:

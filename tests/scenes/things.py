@@ -1,4 +1,4 @@
-"""What a scene is made of: ground, prisms, plants. Lengths in metres, z upwards."""
+"""The parts of a scene: ground, prisms, plants. Lengths are in metres, z is upwards."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ REFLECTANCE = {
     "mirror": 0.0,
 }
 PLAN_HEIGHT = 1.3
-"""Above the ground, where the footprint of a leaning prism is true (m)."""
+"""Height above the ground at which the footprint of a leaning prism is true (m)."""
 GROUND_REFLECTANCE = 0.4
 PLANT_REFLECTANCE = 0.5
 
@@ -28,7 +28,7 @@ class Ground:
     """A sloping plane through the origin, rough, over a smooth undulation.
 
     Rays are cast in a world whose ground is the plane; the undulation then shifts every return
-    vertically, whatever it hit, so that walls and plants stay on the ground they stand on.
+    vertically, whatever it hit, so that walls and plants move with the ground below them.
 
     Parameters
     ----------
@@ -41,8 +41,8 @@ class Ground:
     roughness : float
         Standard deviation of a ground point's height (m).
     terrace, terrace_from : float
-        What stands north of y = `terrace_from` is `terrace` higher (m). As with the undulation, rays are
-        cast as if it were not; a wall should stand there, and hide the step.
+        Everything north of y = `terrace_from` is `terrace` higher (m). As with the undulation, rays are
+        cast without it; a wall should stand there and hide the step.
     """
 
     slope_x: float = 0.0
@@ -55,7 +55,7 @@ class Ground:
 
     @property
     def is_plane(self) -> bool:
-        """Tell whether there is nothing to add to the plane."""
+        """Whether undulation and terrace are zero."""
         return not (self.undulation or self.terrace)
 
     def height(self, x, y):
@@ -63,7 +63,7 @@ class Ground:
         return self.slope_x * x + self.slope_y * y
 
     def lift(self, x, y):
-        """Return what undulation and terrace add to the plane."""
+        """Return the height that undulation and terrace add to the plane."""
         turns = 2 * np.pi / self.wavelength
         waves = self.undulation * np.sin(turns * (x + 0.3 * y)) * np.cos(turns * (y - 0.4 * x))
         return waves + self.terrace * (y > self.terrace_from)
@@ -80,16 +80,16 @@ class Prism:
     top : float
         Height of the upper face.
     bottom : float
-        Height of the lower face; minus infinity for what stands on the ground.
+        Height of the lower face; minus infinity for objects on the ground.
     material : str
         A key of `REFLECTANCE`; only walls belong to the truth.
     follows_ground : bool
-        Whether `top` and `bottom` are counted from the ground below, instead of level.
+        Whether `top` and `bottom` are heights above the ground below.
     relief : float
         Standard deviation of the masonry about its faces (m), smooth over some decimetres. The truth is
         the mean face.
     lean : (float, float)
-        How far the prism leans to the east and to the north, metres per metre of height. The footprint is
+        Lean of the prism to the east and to the north, in metres per metre of height. The footprint is
         that at `PLAN_HEIGHT` above the ground, where plans are cut.
     passing : float
         Share of the rays that pass through, as through glass or curtains.

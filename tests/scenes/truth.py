@@ -1,4 +1,4 @@
-"""The true walls of a scene, and how much of their boundary a scan has met."""
+"""The true walls of a scene, and the part of their boundary that a scan has met."""
 
 from collections.abc import Sequence
 
@@ -23,12 +23,12 @@ def dissolved(footprints: Sequence[Polygon]) -> MultiPolygon:
 
 
 def is_wall(prism: Prism, ground: Ground) -> bool:
-    """Tell whether `prism` is a wall that rises high enough to be found."""
+    """Whether `prism` is a wall high enough to be found."""
     return prism.material == "wall" and prism.rise(ground) >= LOWEST_WALL
 
 
 def is_footing(prism: Prism, ground: Ground) -> bool:
-    """Tell whether `prism` is a wall too low to be found."""
+    """Whether `prism` is a wall too low to be found."""
     return prism.material == "wall" and prism.rise(ground) < LOWEST_WALL
 
 
@@ -44,7 +44,7 @@ def seen_boundary(
         Which of `bodies` are part of `truth`.
     bodies : Bodies
     hits : ndarray, shape (pieces,)
-        How many rays met each piece of an edge; `FEWEST_HITS` are needed.
+        Numbers of rays that met each piece of an edge; `FEWEST_HITS` are needed.
     """
     lines = []
     for edge in np.flatnonzero(walls[bodies.edge_prism]):
@@ -55,7 +55,7 @@ def seen_boundary(
         lines.extend(LineString(start + share[:, None] * (stop - start)) for share in ends)
     if not lines:
         return MultiLineString()
-    # An edge between two walls of differing heights can be met, but is inside the truth.
+    # Rays can meet an edge between two walls of different heights, but it is inside the truth.
     on_boundary = unary_union(lines).intersection(truth.boundary.buffer(2 * SNAP))
     parts = [part for part in getattr(on_boundary, "geoms", [on_boundary]) if part.length > 1e-3]
     merged = linemerge(parts) if parts else MultiLineString()

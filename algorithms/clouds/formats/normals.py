@@ -18,7 +18,11 @@ def simplified(name: str) -> str:
 
 
 def find_normals(names: Sequence[str]) -> Optional[tuple[int, int, int]]:
-    """Return where the three components stand among `names`; None if any is missing."""
+    """Return the positions of the three components among `names`; None if any is missing."""
     keys = [simplified(name) for name in names]
-    places = [next((keys.index(alias) for alias in aliases if alias in keys), None) for aliases in NAMES]
-    return None if None in places else tuple(places)
+    found = [
+        next(keys.index(alias) for alias in aliases if alias in keys)
+        for aliases in NAMES
+        if not set(aliases).isdisjoint(keys)
+    ]
+    return (found[0], found[1], found[2]) if len(found) == 3 else None

@@ -10,7 +10,7 @@ from ...errors import InputError
 
 
 def read_numbers(path: Path, lines: list[str], first: int, width: int) -> np.ndarray:
-    """Return the numbers in `lines` of `path`, shape (n, width); `nan` is one too.
+    """Return the numbers in `lines` of `path`, shape (n, width); `nan` counts as a number.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def read_numbers(path: Path, lines: list[str], first: int, width: int) -> np.nda
         table = pd.read_csv(
             io.StringIO("".join(lines)), header=None, sep=r"\s+", dtype=np.float64, low_memory=False
         )
-        # A field that is missing at the end of a line shows as one that is not a number.
+        # A line that is too short shows as a missing last field.
         sound = table.shape == (len(lines), width) and not table[width - 1].isna().any()
     except (ValueError, OverflowError):
         sound = False

@@ -10,12 +10,14 @@ import numpy as np
 
 from ...errors import InputError
 from ...progress import Progress
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .number_table import read_numbers
 from .value_ranges import intensity_scale, rgb_factor, to_uint16
 
-SAMPLE = 10_000
 HEADER_LINES = 1000
+"""A file without the end of a header so far, in lines and in bytes of a line, is not a PLY."""
+
 BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": "="}
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"),
@@ -27,6 +29,9 @@ TYPES = {
     **dict.fromkeys(("float", "float32"), "f4"),
     **dict.fromkeys(("double", "float64"), "f8"),
 }
+Element = tuple[str, int, list[list[str]]]
+"""Name, count and properties of an element; a property is its words but the first."""
+
 COORDINATES = ("x", "y", "z")
 COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b"))
 INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectance")
@@ -34,7 +39,7 @@ INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectan
 
 @dataclass(frozen=True)
 class Layout:
-    """Where the vertices stand in a file.
+    """The position of the vertices in a file.
 
     Attributes
     ----------
@@ -63,7 +68,7 @@ class Layout:
 class PlySource(Source):
     """A PLY file.
 
-    The range of intensity and of colour that is not of whole numbers is judged by the first points.
+    The first points decide in which range intensity is, and colour that is not of whole numbers.
 
     Attributes
     ----------
@@ -85,16 +90,18 @@ class PlySource(Source):
     rgb_factor: float
 
     @classmethod
-    def open(cls, path: Path) -> "PlySource":
-        """Look into the header and the first points of `path`.
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "PlySource":
+        """Examine the header and the first points of `path`.
 
         Raises
         ------
         InputError
-            If the file is no PLY, is truncated or holds no points.
+            If the file is not a PLY, is truncated or holds no points.
         """
         layout = _read_layout(path)
-        sample = next((points for points, _ in _blocks(path, layout, SAMPLE) if len(points)), None)
+        sample = next(
+            (points for points, _ in _blocks(path, layout, settings.sample_points) if len(points)), None
+        )
         if sample is None:
             raise no_points(path)
         names = layout.dtype.names
@@ -195,7 +202,7 @@ def _read_layout(path: Path) -> Layout:
         raise unreadable(path, error) from error
     encoding = next((words[1] for words in lines if words[0] == "format" and len(words) > 1), None)
     if encoding not in BYTE_ORDERS:
-        raise InputError(f"{path} is a PLY of an encoding that is not known; export it again.")
+        raise InputError(f"{path} is a PLY of an unknown encoding; export it again.")
     lines_before = 0
     for name, count, properties in _elements(path, lines):
         if name == "vertex":
@@ -220,9 +227,9 @@ def _header_lines(path: Path, stream: BinaryIO) -> list[list[str]]:
     raise InputError(f"{path} is not a PLY file; give it the extension of its format.")
 
 
-def _elements(path: Path, lines: list[list[str]]) -> list[tuple[str, int, list]]:
-    """Return name, count and properties of each element; a property is its words but the first."""
-    elements = []
+def _elements(path: Path, lines: list[list[str]]) -> list[Element]:
+    """Return what a header says of each element."""
+    elements: list[Element] = []
     for words in lines:
         if words[0] == "element":
             if len(words) != 3 or not words[2].isdecimal():
@@ -241,7 +248,7 @@ def _vertex(path: Path, properties: list[list[str]], order: str) -> np.dtype:
 
 
 def _record(path: Path, properties: list[list[str]], order: str) -> np.dtype:
-    fields = []
+    fields: list[tuple[str, str]] = []
     for words in properties:
         repeated = words[-1] in [name for name, _ in fields]
         if len(words) != 2 or words[0] not in TYPES or repeated:

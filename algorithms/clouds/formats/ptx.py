@@ -11,11 +11,11 @@ import numpy as np
 from ...errors import InputError
 from ...geometry.motion import product
 from ...progress import Progress
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .number_table import read_numbers
 from .value_ranges import rgb_factor, to_uint16
 
-SAMPLE = 10_000
 WIDTHS = (3, 4, 7)
 """Numbers in the line of a cell: x y z, then intensity, then red green blue."""
 
@@ -24,7 +24,7 @@ WIDTHS = (3, 4, 7)
 class PtxSource(Source):
     """A PTX file; the points of all scans, moved by their poses, without the cells that are empty.
 
-    The first scan tells whether there is intensity and colour. Where another has none, they are 0.
+    The first scan decides whether there is intensity and colour. They are 0 in scans without.
 
     Attributes
     ----------
@@ -35,15 +35,15 @@ class PtxSource(Source):
     rgb_factor: float
 
     @classmethod
-    def open(cls, path: Path) -> "PtxSource":
-        """Look into the first scan of `path`.
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "PtxSource":
+        """Examine the first scan of `path`.
 
         Raises
         ------
         InputError
-            If the file is no PTX, is truncated or holds no points.
+            If the file is not a PTX, is truncated or holds no points.
         """
-        sample = next((points for points, *_ in _blocks(path, SAMPLE) if len(points)), None)
+        sample = next((points for points, *_ in _blocks(path, settings.sample_points) if len(points)), None)
         if sample is None:
             raise no_points(path)
         width = sample.shape[1]
@@ -90,15 +90,20 @@ def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, int, float]]:
                     width = width or _width(path, lines[0], number)
                     cell = read_numbers(path, lines, number, width)
                     number, left = number + len(lines), left - len(lines)
-                    yield _points(cell, pose), scan, stream.buffer.tell() / length
+                    yield _points(cell, pose), scan, _position(stream) / length
                 scan += 1
     except OSError as error:
         raise unreadable(path, error) from error
 
 
+def _position(stream: TextIO) -> int:
+    """Return the number of bytes that are read of a file of lines."""
+    return stream.buffer.tell()
+
+
 def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int, np.ndarray]]:
     """Return the number of cells and the pose, a matrix for rows; None at the end of the file."""
-    # Columns, rows, the scanner's place and axes, which the pose repeats, and the pose.
+    # Columns, rows, the scanner's position and axes, which the pose repeats, and the pose.
     lines = list(islice(stream, 10))
     if not any(line.strip() for line in lines):
         return None

@@ -13,6 +13,7 @@ import pandas as pd
 
 from ...errors import InputError
 from ...progress import Progress
+from ..settings import ReadingSettings
 from ..source import Chunk, Source, truncated, unreadable
 from .text_dialect import Dialect, is_comment, is_count
 from .text_layout import Layout, read_layout
@@ -34,8 +35,8 @@ class TextSource(Source):
     layout: Layout
 
     @classmethod
-    def open(cls, path: Path) -> "TextSource":
-        """Look into the first lines of `path`.
+    def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "TextSource":
+        """Examine the first lines of `path`.
 
         Raises
         ------
@@ -43,7 +44,7 @@ class TextSource(Source):
             If the file cannot be read, holds no points or can be read in more than one way.
         """
         try:
-            layout = read_layout(path)
+            layout = read_layout(path, settings.text)
         except OSError as error:
             raise unreadable(path, error) from error
         return cls(
@@ -73,7 +74,7 @@ class TextSource(Source):
         Yields
         ------
         list of str
-            The lines as they stand, also remarks and counts.
+            The unchanged lines, including remarks and counts.
         ndarray of float64, shape (n, used)
             The used columns of the lines that are points; see `is_point`.
 
@@ -94,13 +95,13 @@ class TextSource(Source):
             raise truncated(self.path, f"it announces {announced} points and holds {found}")
 
     def is_point(self, line: str) -> bool:
-        """Tell whether a line from the first point on is one, and neither a remark nor a count."""
+        """Whether a line after the header is a point, neither a remark nor a count."""
         return not (is_comment(line) or (self.layout.announced is not None and is_count(line)))
 
     @contextmanager
     def _stream(self) -> Iterator[TextIO]:
         try:
-            # What is not in the encoding survives as it stands, to be written again.
+            # Bytes that do not fit the encoding are kept, so that they can be written again.
             with self.path.open(encoding=self.layout.encoding, errors="surrogateescape") as stream:
                 yield stream
         except OSError as error:
@@ -129,9 +130,9 @@ class TextSource(Source):
         return values, announced
 
     def _table(self, lines: list[str], regular: bool = False) -> Optional[np.ndarray]:
-        """Return the used columns, shape (n, used), or None if any line is out of the ordinary.
+        """Return the used columns, shape (n, used), or None if any line is irregular.
 
-        `regular` says that each line is known to have as many fields as it should.
+        `regular` means that each line is known to have the right number of fields.
         """
         dialect, used = self.layout.dialect, self.layout.columns.used
         if not lines:
@@ -151,7 +152,7 @@ class TextSource(Source):
             return None
         if table.shape != (len(lines), dialect.width):
             return None
-        # A missing last field is how a short line shows when nothing but blanks separates.
+        # Where blanks separate, a line that is too short shows as a missing last field.
         if by_blanks and not regular and table[dialect.width - 1].isna().any():
             return None
         values = table[list(used)].to_numpy()

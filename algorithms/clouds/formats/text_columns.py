@@ -13,7 +13,7 @@ from .text_dialect import NUMBER
 
 @dataclass(frozen=True)
 class Columns:
-    """Where the values stand; columns count from 0.
+    """The columns that hold the values, counted from 0.
 
     Attributes
     ----------
@@ -50,11 +50,11 @@ def _triple(names: dict[str, int], *roles: str) -> Optional[tuple[int, ...]]:
 
 
 def columns_by_count(
-    path: Path, rows: list[list[str]], values: np.ndarray
+    path: Path, rows: list[list[str]], values: np.ndarray, numeric_share: float
 ) -> tuple[Columns, tuple[str, ...]]:
     """Guess the columns as most programs write them: x y z, then intensity, then colour."""
     shares = np.mean([_are_numbers(row) for row in rows], axis=0)
-    numeric = np.flatnonzero(shares >= 0.5).tolist()
+    numeric = np.flatnonzero(shares >= numeric_share).tolist()
     if len(numeric) > 3 and _is_label(rows, values, numeric):
         numeric = numeric[1:]
     if len(numeric) < 3:
@@ -72,10 +72,10 @@ def _are_numbers(row: list[str]) -> list[bool]:
     return [bool(NUMBER.fullmatch(field)) for field in row]
 
 
-def _is_label(rows: list[list[str]], values: np.ndarray, numeric: np.ndarray) -> bool:
-    """Tell whether the first numeric column only numbers the points.
+def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> bool:
+    """Whether the first numeric column only numbers the points.
 
-    That is when nothing in it repeats or has decimals, while the next three columns have.
+    It does if none of its values repeats or has decimals, while the next three columns have decimals.
     """
     labels = [row[numeric[0]] for row in rows]
     coordinates = values[:, numeric[1:4]]

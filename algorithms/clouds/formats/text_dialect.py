@@ -29,7 +29,7 @@ class Dialect:
     Attributes
     ----------
     delimiter : str
-        " " stands for any run of blanks and tabs.
+        " " means any run of blanks and tabs.
     decimal : str
     width : int
         Number of columns.
@@ -44,11 +44,11 @@ class Dialect:
         return split(line, self.delimiter)
 
     def fields(self, line: str) -> list[str]:
-        """Return the fields of a line as they stand; put together by the delimiter, they are the line."""
+        """Return the fields of a line unchanged; joined by the delimiter, they are the line."""
         return line.split() if self.delimiter == " " else line.rstrip("\n").split(self.delimiter)
 
     def number(self, field: str) -> float:
-        """Return the value of a field, not a number if it is none."""
+        """Return the value of a field; nan if it is not a number."""
         return float(field.replace(self.decimal, ".")) if NUMBER.fullmatch(field) else np.nan
 
 
@@ -61,18 +61,18 @@ def split(line: str, delimiter: str) -> list[str]:
 
 
 def is_comment(line: str) -> bool:
-    """Tell whether a line is empty or a remark."""
+    """Whether a line is empty or a remark."""
     return not line.strip() or line.lstrip().startswith(COMMENTS)
 
 
 def is_count(line: str) -> bool:
-    """Tell whether a line is a lone integer, as it precedes the points of a PTS scan."""
+    """Whether a line is a single integer, as it precedes the points of a PTS scan."""
     return line.strip().isdecimal()
 
 
 def delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
-    """Return what most lines of numbers have in common."""
-    shapes = Counter()
+    """Return the delimiter and the number of columns that most lines of numbers have."""
+    shapes: Counter[tuple[str, int]] = Counter()
     for line in lines:
         if is_comment(line):
             continue
@@ -85,7 +85,7 @@ def delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
                 break
     if not shapes:
         raise InputError(
-            f"{path} holds no points, for no line has three numbers separated by comma, "
+            f"{path} holds no points because no line has three numbers separated by comma, "
             "semicolon, blank or tab; export it again as x y z."
         )
     return shapes.most_common(1)[0][0]
@@ -99,7 +99,7 @@ def is_row(line: str, delimiter: str, width: int) -> bool:
 
 
 def decimal_sign(path: Path, rows: list[list[str]], delimiter: str, names: dict[str, int]) -> str:
-    """Return the sign that `rows` have; `names` are the columns that a header names, if there is one."""
+    """Return the decimal sign in `rows`; `names` are the columns that a header names, if there is one."""
     fields = [field for row in rows for field in row if NUMBER.fullmatch(field)]
     commas = any("," in field for field in fields)
     points = any("." in field for field in fields)

@@ -25,9 +25,9 @@ DEGREES = {"lat", "latitude", "lon", "long", "longitude"}
 
 
 def read_preamble(
-    path: Path, lines: list[str], delimiter: str, width: int, roles: dict[str, tuple] = NAMES
+    path: Path, lines: list[str], delimiter: str, width: int, roles: dict[str, tuple[str, ...]] = NAMES
 ) -> tuple[dict[str, int], Optional[int]]:
-    """Return the known names with their columns, and the promised number of points."""
+    """Return the known names with their columns, and the announced number of points."""
     names: dict[str, int] = {}
     announced = None
     for number, line in enumerate(lines, start=1):
@@ -49,7 +49,7 @@ def read_preamble(
     return names, announced
 
 
-def _recognise(fields: list[str], roles: dict[str, tuple]) -> dict[str, int]:
+def _recognise(fields: list[str], roles: dict[str, tuple[str, ...]]) -> dict[str, int]:
     """Return the column of every known name; nothing unless x, y and z are among them."""
     keys = [simplified(field) for field in fields]
     found = {}
@@ -62,7 +62,7 @@ def _recognise(fields: list[str], roles: dict[str, tuple]) -> dict[str, int]:
 
 
 def _speaks_of_degrees(fields: list[str]) -> bool:
-    # A single such word may be prose, as the long wall.
+    # A single such word may be prose, as in "the long wall".
     return len(DEGREES & {simplified(field) for field in fields}) > 1
 
 

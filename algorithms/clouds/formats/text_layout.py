@@ -8,12 +8,11 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
+from ..settings import TextSettings
 from .text_columns import Columns, columns_by_count, columns_by_name
 from .text_dialect import BYTE_ORDER_MARKS, Dialect, decimal_sign, delimiter_and_width, is_row, split
 from .text_header import read_preamble
 from .value_ranges import intensity_scale, rgb_factor
-
-SAMPLE_BYTES = 65536
 
 
 @dataclass(frozen=True)
@@ -28,7 +27,7 @@ class Layout:
     preamble : int
         Number of lines before the first point.
     announced : int or None
-        Number of points that the count line of a PTS promises; None if there is none.
+        Number of points that the count line of a PTS announces; None without such a line.
     intensity_scale : tuple of 2 float
         Summand, then factor, that bring the intensity to 0..65535.
     rgb_factor : float
@@ -49,22 +48,26 @@ class Layout:
     warnings: tuple[str, ...]
 
 
-def read_layout(path: Path) -> Layout:
-    """Find out from the beginning of `path` how it is written.
+def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
+    """Return the layout of `path`, found from its beginning.
 
     Raises
     ------
     InputError
         If the file is not text, holds no points, or can be read in more than one way.
     """
-    encoding, lines = _first_lines(path)
+    encoding, lines = _first_lines(path, settings.sample_bytes)
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
     names, announced = read_preamble(path, lines[: numbers[0]], delimiter, width)
     dialect = Dialect(delimiter, decimal_sign(path, rows, delimiter, names), width)
     values = np.array([[dialect.number(field) for field in row] for row in rows])
-    columns, warnings = (columns_by_name(names), ()) if names else columns_by_count(path, rows, values)
+    columns, warnings = (
+        (columns_by_name(names), ())
+        if names
+        else columns_by_count(path, rows, values, settings.numeric_share)
+    )
     return Layout(
         encoding=encoding,
         dialect=dialect,
@@ -82,10 +85,10 @@ def read_layout(path: Path) -> Layout:
     )
 
 
-def _first_lines(path: Path) -> tuple[str, list[str]]:
+def _first_lines(path: Path, size: int) -> tuple[str, list[str]]:
     with path.open("rb") as stream:
-        sample = stream.read(SAMPLE_BYTES)
-        goes_on = bool(stream.read(1))
+        sample = stream.read(size)
+        has_more = bool(stream.read(1))
     marks = [name for mark, name in BYTE_ORDER_MARKS.items() if sample.startswith(mark)]
     encoding = marks[0] if marks else "utf-8"
     if encoding != "utf-16" and b"\0" in sample:
@@ -93,7 +96,7 @@ def _first_lines(path: Path) -> tuple[str, list[str]]:
     lines = list(io.StringIO(sample.decode(encoding, errors="replace"), newline=None))
     if lines and lines[0].lower().startswith("ncols"):
         raise InputError(f"{path} is a raster grid, not a point cloud; choose the cloud itself.")
-    return encoding, lines[:-1] if goes_on else lines
+    return encoding, lines[:-1] if has_more else lines
 
 
 def _middle(path: Path, xyz: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ def intensity_scale(values: np.ndarray, signed: bool = False) -> tuple[float, fl
     Parameters
     ----------
     values : ndarray, shape (n,)
-        A sample; what is not a number is passed over.
+        A sample; what is not a number is ignored.
     signed : bool
         Whether the format has -2048..2047, even if no value is negative.
     """

@@ -1,1 +1,4 @@
-"""Points sorted into tiles, and thinned."""
+"""Points chosen so that no two are closer than a minimum distance.
+
+Public names: `thinning.thin_cloud`, `thinning.thin_tiles`, `thinning.tile_edge`, `thinning.ThinnedCloud`.
+"""

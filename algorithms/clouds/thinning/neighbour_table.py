@@ -30,7 +30,7 @@ def choose(xyz: np.ndarray, seeds: np.ndarray, corner: tuple[int, int], reach: i
 
 
 @njit(nogil=True, cache=True)
-def _hashes(xyz, corner_x, corner_y):
+def _hashes(xyz: np.ndarray, corner_x: int, corner_y: int) -> np.ndarray:
     """Splitmix64 of the absolute lattice coordinates: an order without direction or pattern."""
     out = np.empty(len(xyz), np.uint64)
     for i in range(len(xyz)):
@@ -45,7 +45,7 @@ def _hashes(xyz, corner_x, corner_y):
 
 
 @njit(nogil=True, cache=True)
-def _slot(cell, table, cells, mask):
+def _slot(cell: int, table: np.ndarray, cells: np.ndarray, mask: np.uint64) -> np.uint64:
     """Return the slot of a cell in an open hash table: its own, or the empty one for it."""
     slot = np.uint64(cell) * np.uint64(0x9E3779B97F4A7C15)
     slot = (slot >> np.uint64(32)) & mask
@@ -55,8 +55,18 @@ def _slot(cell, table, cells, mask):
 
 
 @njit(nogil=True, cache=True)
-def _is_free(x, y, z, reach, table, cells, mask, chosen, following):
-    """Tell whether no chosen point is closer than `reach`; the point's own cell is asked first."""
+def _is_free(
+    x: int,
+    y: int,
+    z: int,
+    reach: int,
+    table: np.ndarray,
+    cells: np.ndarray,
+    mask: np.uint64,
+    chosen: np.ndarray,
+    following: np.ndarray,
+) -> bool:
+    """Whether no chosen point is closer than `reach`; the search begins in the point's own cell."""
     cell = _cell(x, y, z, reach)
     for a in (0, -1, 1):
         for b in (0, -1, 1):
@@ -71,13 +81,13 @@ def _is_free(x, y, z, reach, table, cells, mask, chosen, following):
 
 
 @njit(nogil=True, cache=True)
-def _cell(x, y, z, reach):
+def _cell(x: int, y: int, z: int, reach: int) -> int:
     """Pack the numbers of a cell of edge `reach` into one."""
     return x // reach + y // reach * ROW + z // reach * LEVEL
 
 
 @njit(nogil=True, cache=True)
-def _choose(xyz, seeds, low, reach, size):
+def _choose(xyz: np.ndarray, seeds: np.ndarray, low: np.ndarray, reach: int, size: int) -> np.ndarray:
     """Return the rows of `xyz` chosen in order; `seeds` are chosen already. All in lattice steps."""
     mask = np.uint64(size - 1)
     table = np.full(size, -1, np.int32)

@@ -50,7 +50,7 @@ def thin_cloud(
     Raises
     ------
     InputError
-        If the coordinates fit no site.
+        If the coordinates are not those of a site.
     """
     with TileStore(tile_edge(spacing, settings), tiles) as store:
         fill(store, cloud, progress.part(0.0, 0.5))

@@ -42,21 +42,23 @@ def tiles_of(xyz: np.ndarray, origin: np.ndarray, edge: int) -> tuple[np.ndarray
 
 
 @njit(nogil=True, cache=True)
-def _tiles_of(xyz, origin, edge, per_metre, steps):
+def _tiles_of(
+    xyz: np.ndarray, origin: np.ndarray, edge: int, per_metre: int, steps: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the tile of each point, and its lattice coordinates about the tile's corner."""
     key = np.empty((len(xyz), 2), np.int64)
-    place = np.empty((len(xyz), 3), np.int32)
+    steps_from = np.empty((len(xyz), 3), np.int32)
     for i in range(len(xyz)):
         for axis in range(2):
             value = _rounded(xyz[i, axis], origin[axis], per_metre, steps)
             key[i, axis] = value // edge
-            place[i, axis] = value - key[i, axis] * edge
-        place[i, 2] = _rounded(xyz[i, 2], origin[2], per_metre, steps)
-    return key, place
+            steps_from[i, axis] = value - key[i, axis] * edge
+        steps_from[i, 2] = _rounded(xyz[i, 2], origin[2], per_metre, steps)
+    return key, steps_from
 
 
 @njit(nogil=True, cache=True)
-def _rounded(value, origin, per_metre, steps):
+def _rounded(value: float, origin: int, per_metre: int, steps: int) -> int:
     """Round to the lattice by way of finer integers: a tie must not depend on the origin."""
     fine = np.int64(np.rint(value * per_metre)) + origin * per_metre
     return (fine + steps // 2) // steps

@@ -163,7 +163,7 @@ def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
     Raises
     ------
     InputError
-        If the heights of more than 1 % of the points fit no site.
+        If too many of the points are stray.
     """
     for chunk in cloud.chunks(progress):
         store.add(chunk.xyz, cloud.origin)

@@ -1,1 +1,5 @@
-"""Clouds written to files: chosen, labelled or transformed points."""
+"""New files of points: chosen ones, labelled ones, transformed ones.
+
+Public names: `point_selection.write_cloud`, `labelling.write_labelled`, `transformation.transform_cloud`,
+`transformation.transformed_names`, `transformation.unit_warnings`.
+"""

@@ -10,24 +10,29 @@ from laspy.vlrs.vlrlist import VLRList
 from ...files import atomic_output
 from ...progress import Progress
 from ..cloud import Cloud, parts
-from .point_selection import (
-    CHUNK_SIZE,
-    append_rows,
-    check_target,
+from ..formats.las import LasSource
+from ..settings import WritingSettings
+from .las_files import (
     common_scales,
     copied_header,
-    have_one_point_format,
-    is_text,
     las_points,
     las_writer,
+    new_header,
+    of_one_point_format,
     replace_crs,
     rescale,
-    table_of,
 )
+from .target import check_target, is_text
+from .text_files import append_rows, table_of
 
 
 def write_labelled(
-    cloud: Cloud, name: str, values: np.ndarray, path: Union[str, Path], progress: Progress = Progress()
+    cloud: Cloud,
+    name: str,
+    values: np.ndarray,
+    path: Union[str, Path],
+    progress: Progress = Progress(),
+    settings: WritingSettings = WritingSettings(),
 ) -> None:
     """Write all points of `cloud` to `path`, each with its value.
 
@@ -45,6 +50,7 @@ def write_labelled(
     path : str or Path
         Ends in .las, .laz, .xyz, .txt or .csv.
     progress : Progress
+    settings : WritingSettings
 
     Raises
     ------
@@ -54,27 +60,36 @@ def write_labelled(
     """
     target = Path(path)
     check_target(cloud, target)
+    files = of_one_point_format(cloud)
     with atomic_output(target) as temporary:
         if is_text(target):
-            _write_text(cloud, name, values, temporary, progress)
-        elif have_one_point_format(cloud):
-            _write_records(cloud, name, values, temporary, progress)
+            _write_text(cloud, name, values, temporary, progress, settings)
+        elif files:
+            _write_records(cloud, files, name, values, temporary, progress, settings)
         else:
-            _write_las(cloud, name, values, temporary, progress)
+            _write_las(cloud, name, values, temporary, progress, settings)
 
 
-def _write_records(cloud: Cloud, name: str, values: np.ndarray, path: Path, progress: Progress) -> None:
-    first = cloud.sources[0]
+def _write_records(
+    cloud: Cloud,
+    files: tuple[LasSource, ...],
+    name: str,
+    values: np.ndarray,
+    path: Path,
+    progress: Progress,
+    settings: WritingSettings,
+) -> None:
+    first = files[0]
     header, evlrs = copied_header(first.path)
     if name not in header.point_format.dimension_names:
         header.add_extra_dim(laspy.ExtraBytesParams(name, values.dtype))
     if first.crs is None and cloud.crs is not None:
         evlrs = replace_crs(header, evlrs, cloud.crs)
-    header.scales = common_scales(cloud)
+    header.scales = common_scales(cloud, settings)
     done = 0
     with las_writer(path, header) as writer:
-        for source, part in parts(cloud.sources, progress):
-            for records in source.records(part, CHUNK_SIZE):
+        for source, part in parts(files, progress):
+            for records in source.records(part, settings.chunk_points):
                 points = np.empty(len(records), header.point_format.dtype())
                 for field in records.dtype.names:
                     points[field] = records[field]
@@ -86,19 +101,24 @@ def _write_records(cloud: Cloud, name: str, values: np.ndarray, path: Path, prog
             writer.write_evlrs(VLRList(evlrs))
 
 
-def _write_las(cloud: Cloud, name: str, values: np.ndarray, path: Path, progress: Progress) -> None:
+def _write_las(
+    cloud: Cloud,
+    name: str,
+    values: np.ndarray,
+    path: Path,
+    progress: Progress,
+    settings: WritingSettings,
+) -> None:
     shared = _shared_attributes(cloud)
     has_rgb = any(source.has_rgb for source in cloud.sources)
-    header = laspy.LasHeader(version="1.4", point_format=7 if has_rgb else 6)
-    header.scales, header.offsets = common_scales(cloud), cloud.origin
-    replace_crs(header, [], cloud.crs)
+    header = new_header(cloud.origin, common_scales(cloud, settings), has_rgb, cloud.crs)
     taken = {"x", "y", "z", name, *header.point_format.dimension_names}
     shared = {attribute: kind for attribute, kind in shared.items() if attribute.lower() not in taken}
     for attribute, kind in (*shared.items(), (name, values.dtype)):
         header.add_extra_dim(laspy.ExtraBytesParams(attribute, kind))
     done = 0
     with las_writer(path, header) as writer:
-        for chunk in cloud.chunks(progress, CHUNK_SIZE):
+        for chunk in cloud.chunks(progress, settings.chunk_points):
             points = las_points(chunk, header, path)
             for attribute in shared:
                 points.array[attribute] = chunk.attributes[attribute]
@@ -107,20 +127,27 @@ def _write_las(cloud: Cloud, name: str, values: np.ndarray, path: Path, progress
             writer.write_points(points)
 
 
-def _write_text(cloud: Cloud, name: str, values: np.ndarray, path: Path, progress: Progress) -> None:
+def _write_text(
+    cloud: Cloud,
+    name: str,
+    values: np.ndarray,
+    path: Path,
+    progress: Progress,
+    settings: WritingSettings,
+) -> None:
     shared = _shared_attributes(cloud)
     done = 0
     with path.open("w", encoding="utf-8", newline="") as stream:
-        for chunk in cloud.chunks(progress, CHUNK_SIZE):
+        for chunk in cloud.chunks(progress, settings.chunk_points):
             table = table_of(cloud, chunk)
             for attribute in shared:
                 table[attribute] = chunk.attributes[attribute]
             table[name] = values[done : done + len(chunk.xyz)]
             done += len(chunk.xyz)
-            append_rows(table, stream, path)
+            append_rows(table, stream, path, settings)
 
 
-def _shared_attributes(cloud: Cloud) -> dict:
+def _shared_attributes(cloud: Cloud) -> dict[str, np.dtype]:
     """Return names and types of the attributes that all files have."""
     first, *others = (dict(source.attributes) for source in cloud.sources)
     return {name: kind for name, kind in first.items() if all(name in other for other in others)}

@@ -22,22 +22,9 @@ from ..formats.normals import find_normals
 from ..formats.text import TextSource
 from ..formats.text_dialect import Dialect
 from ..formats.text_layout import Layout
+from ..settings import WritingSettings
 from ..source import Source
-from .point_selection import (
-    CHUNK_SIZE,
-    COARSEST_SCALE,
-    FINEST_SCALE,
-    copied_header,
-    las_points,
-    las_writer,
-    replace_crs,
-    stored,
-)
-
-LINES = 100_000
-"""Lines of text that are moved at a time; as lists of fields they take much more memory than as numbers."""
-
-DECIMALS, NORMAL_DECIMALS = 5, 6
+from .las_files import copied_header, las_points, las_writer, new_header, replace_crs, stored
 
 DIMENSION_NAME = 32
 """Bytes for the name of an extra dimension in LAS."""
@@ -47,7 +34,7 @@ WITHOUT_WAVEFORM = {4: 1, 5: 3, 9: 6, 10: 8}
 
 
 def transformed_names(sources: Sequence[Source]) -> tuple[str, ...]:
-    """Return the names of the files that clouds are written to, of the same kind where it can be.
+    """Return the names of the files that clouds are written to, in the same format where it can be written.
 
     Raises
     ------
@@ -55,7 +42,7 @@ def transformed_names(sources: Sequence[Source]) -> tuple[str, ...]:
         If two clouds would become one file.
     """
     names = tuple(_transformed_name(source) for source in sources)
-    # Not every file system tells capitals apart.
+    # Not every file system distinguishes capitals.
     keys = [name.lower() for name in names]
     for number, source in enumerate(sources):
         first = keys.index(keys[number])
@@ -90,12 +77,13 @@ def transform_cloud(
     path: Union[str, Path],
     crs: Optional[CRS] = None,
     progress: Progress = Progress(),
+    settings: WritingSettings = WritingSettings(),
 ) -> int:
     """Write the points of `source`, moved by `matrix`, to `path` and return their number.
 
-    Every attribute stays as it is, but for normals, which turn along. LAS and LAZ keep their point
-    format; a waveform, which stands elsewhere, is left out. Text keeps its separator, its header and
-    the other columns. All else becomes LAS with extra dimensions.
+    Attributes are unchanged, except normals, which are rotated. LAS and LAZ keep their point format;
+    waveforms, which are stored apart from the points, are left out. Text keeps its separator, its header
+    and the other columns. All other formats become LAS with extra dimensions.
 
     Parameters
     ----------
@@ -105,8 +93,9 @@ def transform_cloud(
     path : str or Path
         Named as `transformed_names` says.
     crs : CRS, optional
-        Of the result; what the file itself names holds no longer.
+        Of the result; the system that the file itself states does not apply any more.
     progress : Progress
+    settings : WritingSettings
 
     Raises
     ------
@@ -117,33 +106,39 @@ def transform_cloud(
     if target.resolve() == source.path.resolve():
         raise InputError(f"{target} is an input as well; choose another name for the output.")
     motion = Motion.about(np.asarray(matrix, np.float64), source.middle)
-    if isinstance(source, LasSource):
-        write = _write_records
-    else:
-        write = _write_text if isinstance(source, TextSource) else _write_points
     with atomic_output(target) as temporary:
-        return write(source, motion, temporary, crs, progress)
+        if isinstance(source, LasSource):
+            return _write_records(source, motion, temporary, crs, progress, settings)
+        if isinstance(source, TextSource):
+            return _write_text(source, motion, temporary, progress, settings)
+        return _write_points(source, motion, temporary, crs, progress, settings)
 
 
 def _write_records(
-    source: LasSource, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress
+    source: LasSource,
+    motion: Motion,
+    path: Path,
+    crs: Optional[CRS],
+    progress: Progress,
+    settings: WritingSettings,
 ) -> int:
-    """Write the records of a LAS file as they are, but for places and directions."""
+    """Write the records of a LAS file, unchanged except for positions and directions."""
     header, evlrs = copied_header(source.path)
     if header.point_format.has_waveform_packet:
         progress.update(0.0, f"{source.path.name} holds waveforms, which are left out.")
         _drop_waveform(header)
     evlrs = replace_crs(header, evlrs, crs)
-    header.scales, header.offsets = np.clip(source.scales, FINEST_SCALE, COARSEST_SCALE), motion.offset
+    header.scales = np.clip(source.scales, settings.finest_step_m, settings.coarsest_step_m)
+    header.offsets = motion.offset
     with las_writer(path, header) as writer:
-        for records in source.records(progress, CHUNK_SIZE):
+        for records in source.records(progress, settings.chunk_points):
             points = np.empty(len(records), header.point_format.dtype())
             for name in points.dtype.names:
                 points[name] = records[name]
-            places = motion.places(coordinates(records, source.scales, source.offsets - motion.origin))
+            positions = motion.places(coordinates(records, source.scales, source.offsets - motion.origin))
             for axis, name in enumerate("XYZ"):
-                points[name] = stored(places[:, axis], header.scales[axis], path)
-            _turn_normals(points, header.point_format, motion)
+                points[name] = stored(positions[:, axis], header.scales[axis], path)
+            _rotate_normals(points, header.point_format, motion)
             writer.write_points(laspy.PackedPointRecord(points, header.point_format))
         if evlrs:
             writer.write_evlrs(VLRList(evlrs))
@@ -158,18 +153,18 @@ def _drop_waveform(header: laspy.LasHeader) -> None:
     header.global_encoding.waveform_data_packets_internal = False
 
 
-def _turn_normals(points: np.ndarray, point_format: laspy.PointFormat, motion: Motion) -> None:
-    """Turn normals among the extra dimensions of `points`, in place."""
+def _rotate_normals(points: np.ndarray, point_format: laspy.PointFormat, motion: Motion) -> None:
+    """Rotate the normals among the extra dimensions of `points`, which are changed."""
     extra = list(point_format.extra_dimensions)
     found = find_normals([dimension.name for dimension in extra])
     if found is None:
         return
-    dimensions = [extra[place] for place in found]
+    dimensions = [extra[index] for index in found]
     scales = [np.ravel(1.0 if item.scales is None else item.scales)[0] for item in dimensions]
     offsets = [np.ravel(0.0 if item.offsets is None else item.offsets)[0] for item in dimensions]
     normals = np.stack([points[item.name] for item in dimensions], axis=1) * scales + offsets
-    turned = (motion.directions(normals) - offsets) / scales
-    for item, column in zip(dimensions, turned.T):
+    rotated = (motion.directions(normals) - offsets) / scales
+    for item, column in zip(dimensions, rotated.T):
         kind = points.dtype[item.name]
         if kind.kind != "f":
             limits = np.iinfo(kind)
@@ -177,28 +172,33 @@ def _turn_normals(points: np.ndarray, point_format: laspy.PointFormat, motion: M
         points[item.name] = column
 
 
-def _write_points(source: Source, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress) -> int:
+def _write_points(
+    source: Source,
+    motion: Motion,
+    path: Path,
+    crs: Optional[CRS],
+    progress: Progress,
+    settings: WritingSettings,
+) -> int:
     """Write the points of any format as LAS, their attributes as extra dimensions."""
-    header = laspy.LasHeader(version="1.4", point_format=7 if source.has_rgb else 6)
-    header.scales, header.offsets = np.full(3, COARSEST_SCALE), motion.offset
-    replace_crs(header, [], crs)
+    header = new_header(motion.offset, np.full(3, settings.coarsest_step_m), source.has_rgb, crs)
     names = _dimension_names([name for name, _ in source.attributes], header.point_format)
     for name, kind in source.attributes:
         header.add_extra_dim(laspy.ExtraBytesParams(names[name], kind))
     written = 0
     with las_writer(path, header) as writer:
-        for chunk in source.chunks(motion.origin, progress, CHUNK_SIZE):
+        for chunk in source.chunks(motion.origin, progress, settings.chunk_points):
             points = las_points(replace(chunk, xyz=motion.places(chunk.xyz)), header, path)
             for name, values in chunk.attributes.items():
                 points.array[names[name]] = values
-            _turn_normals(points.array, header.point_format, motion)
+            _rotate_normals(points.array, header.point_format, motion)
             writer.write_points(points)
             written += len(points)
     return written
 
 
 def _dimension_names(names: list[str], point_format: laspy.PointFormat) -> dict[str, str]:
-    """Return a name for each attribute that LAS has room for and no use of its own."""
+    """Return a name for each attribute that fits into LAS and that LAS does not use itself."""
     given = {"x", "y", "z", *(name.lower() for name in point_format.dimension_names)}
     chosen = {}
     for name in names:
@@ -210,38 +210,42 @@ def _dimension_names(names: list[str], point_format: laspy.PointFormat) -> dict[
 
 
 def _write_text(
-    source: TextSource, motion: Motion, path: Path, crs: Optional[CRS], progress: Progress
+    source: TextSource, motion: Motion, path: Path, progress: Progress, settings: WritingSettings
 ) -> int:
-    """Write the lines as they are, but for places and directions; text has no room for a CRS."""
+    """Write the lines, unchanged except for positions and directions; text cannot hold a CRS."""
     layout = source.layout
     written = 0
     with path.open("w", encoding=layout.encoding, errors="surrogateescape", newline="") as stream:
         stream.writelines(source.head())
-        for lines, values in source.records(progress, LINES):
+        for lines, values in source.records(progress, settings.text_lines):
             points = iter(
-                _moved_lines([line for line in lines if source.is_point(line)], values, layout, motion)
+                _moved_lines(
+                    [line for line in lines if source.is_point(line)], values, layout, motion, settings
+                )
             )
             stream.writelines(next(points) if source.is_point(line) else line for line in lines)
             written += len(values)
     return written
 
 
-def _moved_lines(lines: list[str], values: np.ndarray, layout: Layout, motion: Motion) -> list[str]:
+def _moved_lines(
+    lines: list[str], values: np.ndarray, layout: Layout, motion: Motion, settings: WritingSettings
+) -> list[str]:
     dialect, columns = layout.dialect, layout.columns
     rows = [dialect.fields(line) for line in lines]
-    places = motion.places(values[:, :3] - motion.origin) + motion.offset
-    _replace(rows, columns.xyz, places, DECIMALS, dialect)
+    positions = motion.places(values[:, :3] - motion.origin) + motion.offset
+    _replace(rows, columns.xyz, positions, settings.text_decimals, dialect)
     if columns.normals:
         normals = [[dialect.number(row[column].strip(' "')) for column in columns.normals] for row in rows]
-        turned = motion.directions(np.array(normals).reshape(-1, 3))
-        _replace(rows, columns.normals, turned, NORMAL_DECIMALS, dialect)
+        rotated = motion.directions(np.array(normals).reshape(-1, 3))
+        _replace(rows, columns.normals, rotated, settings.normal_decimals, dialect)
     return [dialect.delimiter.join(row) + "\n" for row in rows]
 
 
 def _replace(
     rows: list[list[str]], columns: tuple[int, ...], values: np.ndarray, decimals: int, dialect: Dialect
 ) -> None:
-    """Write `values`, shape (n, columns), into the fields of `rows`; what is no number stays as it is."""
+    """Write `values`, shape (n, columns), into fields of `rows`; fields without a number are unchanged."""
     for column, numbers in zip(columns, values.T.tolist()):
         for row, number in zip(rows, numbers):
             if math.isfinite(number):

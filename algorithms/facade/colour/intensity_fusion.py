@@ -35,7 +35,8 @@ def fuse_by_intensity(labels: np.ndarray, relative: np.ndarray, threshold: float
     regions = np.flatnonzero(counts)
     regions = regions[regions != NONE]
     surfaces = np.zeros(len(counts), np.int32)
-    sizes, levels = [], []
+    sizes: list[int] = []
+    levels: list[float] = []
     for region in regions[np.lexsort((regions, -counts[regions]))]:
         differences = np.abs(np.array(levels) - means[region])
         if len(levels) and differences.min() < threshold:

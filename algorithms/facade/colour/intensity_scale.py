@@ -4,14 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...geometry.robust import sigma_of_residuals, tukey_weights
+from ...geometry.robust import EFFICIENT_CUT, sigma_of_residuals, tukey_weights
 from .settings import IntensitySettings
 
-ROUNDS = 10
-CUT = 4.685
-"""Of Tukey's biweight, in standard deviations."""
-
 IQR_TO_SIGMA = 1.349
+"""Interquartile range of a normal deviate, in standard deviations."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +60,7 @@ def make_relative(
         if len(medians) < settings.fewest_cells:
             trend = np.full(len(chosen), level)
         else:
-            trend = _terms(points[chosen]) @ _robust_fit(_terms(middles), medians)
+            trend = _terms(points[chosen]) @ _robust_fit(_terms(middles), medians, settings.rounds)
             noises.append(float(np.median(scatter)) / level if level > 0 else np.nan)
         values[chosen] = own / np.maximum(trend, settings.least_trend * level if level > 0 else 1.0)
     noise = float(np.nanmedian(noises)) if noises else float(np.std(values))
@@ -91,14 +88,14 @@ def _terms(points: np.ndarray) -> np.ndarray:
     return np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], axis=1)
 
 
-def _robust_fit(terms: np.ndarray, values: np.ndarray) -> np.ndarray:
+def _robust_fit(terms: np.ndarray, values: np.ndarray, rounds: int) -> np.ndarray:
     """Return the coefficients of an iteratively reweighted fit with Tukey's biweight."""
     weights = np.abs(values - np.median(values)) <= 2 * np.median(np.abs(values - np.median(values)))
     weights = weights.astype(np.float64)
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         root = np.sqrt(weights)
         coefficients = np.linalg.lstsq(terms * root[:, None], values * root, rcond=None)[0]
         residuals = np.abs(values - terms @ coefficients)
         scale = max(sigma_of_residuals(residuals), 1e-9)
-        weights = tukey_weights(residuals, scale, CUT)
+        weights = tukey_weights(residuals, scale, EFFICIENT_CUT)
     return coefficients

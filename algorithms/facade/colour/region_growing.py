@@ -5,7 +5,7 @@ from numba import njit
 
 from ...geometry.triangulation import Mesh
 from .appearance import Appearance
-from .seeds import Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
+from .seeds import Lattice, Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
 from .settings import ColourSettings
 
 NONE = 0
@@ -55,7 +55,7 @@ def grow_regions(
     _grow_all(
         mesh.points, looks.rgb, *looks.gated(settings.intensity.gate), *mesh.neighbours(linked),
         seeds.rows, seeds.radii, variance, colour, settings.seeds.fewest_points, settings.seeds.free_share,
-        lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order, labels,
+        lattice, labels,
     )  # fmt: skip
     return labels
 
@@ -89,18 +89,29 @@ def absorb(
 
 @njit(cache=True, nogil=True)
 def _grow_all(
-    points, rgb, relative, reach, first, neighbours, seeds, radii, variance, colour, fewest, free_share,
-    corner, size, columns, rows, starts, order, labels,
-):  # fmt: skip
+    points: np.ndarray,
+    rgb: np.ndarray,
+    relative: np.ndarray,
+    reach: float,
+    first: np.ndarray,
+    neighbours: np.ndarray,
+    seeds: np.ndarray,
+    radii: np.ndarray,
+    variance: float,
+    colour: float,
+    fewest: int,
+    free_share: float,
+    lattice: Lattice,
+    labels: np.ndarray,
+) -> None:
+    """Label the regions of all seeds; a seed that is in a region already is skipped."""
     members, mean = np.empty(len(points), np.int64), np.empty(3)
     region = 0
     for index in range(len(seeds)):
         seed = seeds[index]
         if labels[seed] != NONE:
             continue
-        count, every = gather(
-            points, seed, radii[index], corner, size, columns, rows, starts, order, labels, members
-        )
+        count, every = gather(points, seed, radii[index], lattice, labels, members)
         if count < max(fewest, free_share * every):
             continue
         if mean_and_variance(rgb, members, count, mean) >= variance:
@@ -113,7 +124,19 @@ def _grow_all(
 
 
 @njit(cache=True, nogil=True)
-def _grow(rgb, relative, reach, first, neighbours, colour, region, members, count, mean, labels):
+def _grow(
+    rgb: np.ndarray,
+    relative: np.ndarray,
+    reach: float,
+    first: np.ndarray,
+    neighbours: np.ndarray,
+    colour: float,
+    region: int,
+    members: np.ndarray,
+    count: int,
+    mean: np.ndarray,
+    labels: np.ndarray,
+) -> None:
     """Grow one region wave by wave; the order of the points does not affect the result of a wave."""
     start, total = 0, 0
     sums, intensities = np.zeros(3), 0.0
@@ -144,7 +167,9 @@ def _grow(rgb, relative, reach, first, neighbours, colour, region, members, coun
 
 
 @njit(cache=True, nogil=True)
-def _spread(first, neighbours, rgb, means, labels):
+def _spread(
+    first: np.ndarray, neighbours: np.ndarray, rgb: np.ndarray, means: np.ndarray, labels: np.ndarray
+) -> None:
     """Label points without a label from their neighbours, wave by wave."""
     waiting = np.flatnonzero(labels == NONE)
     while len(waiting):

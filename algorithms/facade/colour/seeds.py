@@ -1,6 +1,7 @@
 """Where a region of one colour can begin: seeds and their surfaces, the most uniform first."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -8,8 +9,7 @@ from numba import njit
 from .settings import SeedSettings
 
 
-@dataclass(frozen=True)
-class Lattice:
+class Lattice(NamedTuple):
     """Points sorted into square cells, so that the neighbours of a point are found quickly.
 
     Attributes
@@ -17,8 +17,7 @@ class Lattice:
     corner : ndarray of float64, shape (2,)
     size : float
         Of a cell (m).
-    shape : tuple of int
-        Columns and rows.
+    columns, rows : int
     starts : ndarray of int64, shape (columns * rows + 1,)
     order : ndarray of int64, shape (n,)
         The points of cell i are those from starts[i] to starts[i + 1].
@@ -26,7 +25,8 @@ class Lattice:
 
     corner: np.ndarray
     size: float
-    shape: tuple[int, int]
+    columns: int
+    rows: int
     starts: np.ndarray
     order: np.ndarray
 
@@ -35,11 +35,11 @@ def sort_into_cells(points: np.ndarray, size: float) -> Lattice:
     """Return points, shape (n, 2), sorted into cells of `size` (m)."""
     corner = points.min(axis=0)
     columns, rows = ((points - corner) // size).astype(np.int64).T
-    shape = int(columns.max()) + 1, int(rows.max()) + 1
-    cells = rows * shape[0] + columns
+    width, height = int(columns.max()) + 1, int(rows.max()) + 1
+    cells = rows * width + columns
     order = np.argsort(cells, kind="stable")
-    starts = np.searchsorted(cells[order], np.arange(shape[0] * shape[1] + 1))
-    return Lattice(corner, size, shape, starts, order)
+    starts = np.searchsorted(cells[order], np.arange(width * height + 1))
+    return Lattice(corner, size, width, height, starts, order)
 
 
 @dataclass(frozen=True)
@@ -94,9 +94,7 @@ def find_seeds(
     settings : SeedSettings
     """
     lattice = sort_into_cells(points, radius / settings.cells_across)
-    rows = _nearest_to_centres(
-        points, lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order
-    )
+    rows = _nearest_to_centres(points, lattice)
     rows = rows[rows >= 0]
     radii = [radius / 2**halving for halving in range(settings.halvings)]
     found = [
@@ -115,17 +113,14 @@ def _surfaces(
 ) -> tuple[np.ndarray, np.ndarray]:
     free = np.zeros(len(points), np.int32)
     shifts, variances = np.empty(len(rows)), np.empty(len(rows))
-    _measure(
-        points, rgb, rows, radius,
-        lattice.corner, lattice.size, *lattice.shape, lattice.starts, lattice.order,
-        free, fewest, shifts, variances,
-    )  # fmt: skip
+    _measure(points, rgb, rows, radius, lattice, free, fewest, shifts, variances)
     return shifts, variances
 
 
 @njit(cache=True, nogil=True)
-def _nearest_to_centres(points, corner, size, columns, rows, starts, order):
+def _nearest_to_centres(points: np.ndarray, lattice: Lattice) -> np.ndarray:
     """Return the point nearest to the centre of each cell; -1 in empty cells."""
+    corner, size, columns, rows, starts, order = lattice
     nearest = np.full(columns * rows, -1, np.int64)
     for row in range(rows):
         for column in range(columns):
@@ -142,8 +137,16 @@ def _nearest_to_centres(points, corner, size, columns, rows, starts, order):
 
 
 @njit(cache=True, nogil=True)
-def gather(points, seed, radius, corner, size, columns, rows, starts, order, labels, members):
+def gather(
+    points: np.ndarray,
+    seed: int,
+    radius: float,
+    lattice: Lattice,
+    labels: np.ndarray,
+    members: np.ndarray,
+) -> tuple[int, int]:
     """Write the points around a seed without a label to `members`; return their number, and that of all."""
+    corner, size, columns, rows, starts, order = lattice
     count, every = 0, 0
     x, y = points[seed, 0], points[seed, 1]
     left = max(int((x - radius - corner[0]) // size), 0)
@@ -162,7 +165,7 @@ def gather(points, seed, radius, corner, size, columns, rows, starts, order, lab
 
 
 @njit(cache=True, nogil=True)
-def mean_and_variance(rgb, members, count, mean):
+def mean_and_variance(rgb: np.ndarray, members: np.ndarray, count: int, mean: np.ndarray) -> float:
     """Write the mean colour to `mean` and return the sum of the variances of the three colours."""
     total = 0.0
     for channel in range(3):
@@ -177,7 +180,7 @@ def mean_and_variance(rgb, members, count, mean):
 
 
 @njit(cache=True, nogil=True)
-def distance_in_colour(rgb, point, mean):
+def distance_in_colour(rgb: np.ndarray, point: int, mean: np.ndarray) -> float:
     """Return the Euclidean distance of the colour of a point to a mean."""
     total = 0.0
     for channel in range(3):
@@ -187,12 +190,21 @@ def distance_in_colour(rgb, point, mean):
 
 @njit(cache=True, nogil=True)
 def _measure(
-    points, rgb, seeds, radius, corner, size, columns, rows, starts, order, labels, fewest, shifts, variances
-):
+    points: np.ndarray,
+    rgb: np.ndarray,
+    seeds: np.ndarray,
+    radius: float,
+    lattice: Lattice,
+    labels: np.ndarray,
+    fewest: int,
+    shifts: np.ndarray,
+    variances: np.ndarray,
+) -> None:
+    """Write the shift and the variance of each seed surface; infinity where it has too few points."""
     members, mean = np.empty(len(points), np.int64), np.empty(3)
     for index in range(len(seeds)):
         seed = seeds[index]
-        count, _ = gather(points, seed, radius, corner, size, columns, rows, starts, order, labels, members)
+        count, _ = gather(points, seed, radius, lattice, labels, members)
         if count < fewest:
             shifts[index], variances[index] = np.inf, np.inf
             continue

@@ -29,6 +29,7 @@ class IntensitySettings:
     cell_m: float = judged(0.2, "Side of the squares whose median intensities the trend is fitted to.")
     fewest_points: int = judged(5, "Squares with fewer points have no reliable median.")
     fewest_cells: int = judged(30, "A scan in fewer squares has one level; its trend has 6 coefficients.")
+    rounds: int = judged(10, "Rounds of the robust fit of the trend; its weights change little after them.")
     least_trend: float = judged(
         0.1,
         "The trend may not fall below this part of the level, or its sign could change beyond its squares.",
@@ -56,9 +57,13 @@ class MixedSettings:
     core_spacings: float = judged(
         10.0, "Points from the band to here show the pure colours of the two sides."
     )
-    beam_m: float = physical(0.01, "A band is at least this wide; laser beams are rarely wider.")
+    beam_m: float = physical(
+        0.01, "The band of mixed points at a border is at least this wide; laser beams are rarely wider."
+    )
     rounds: int = judged(5, "A border is divided this often at most; it ends when nothing changes.")
-    compared: int = judged(24, "Points on either side that a point at the border is compared with.")
+    compared: int = judged(
+        24, "Points on either side with which a point at the border is compared; fewer are too noisy."
+    )
 
 
 @dataclass(frozen=True)

@@ -7,14 +7,10 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from ...geometry.circles import fit_circle_on_axis
-from ...geometry.robust import sigma_about_median, sigma_of_residuals, tukey_weights
+from ...geometry.robust import EFFICIENT_CUT, sigma_about_median, sigma_of_residuals, tukey_weights
 from ..elevation import ARCH, FREE, RECTANGLE, Edges
 from .border import Border
 from .settings import OutlineSettings, ShapeSettings
-
-ROUNDS = 8
-CUT = 4.685
-"""Of Tukey's biweight, in standard deviations."""
 
 ARC_POINTS = 49
 """Corners of the polygon that represents an arch."""
@@ -40,43 +36,51 @@ class Outline:
 
 
 @dataclass(frozen=True)
+class _Arc:
+    """The height of the centre of an arch, and its radius."""
+
+    centre: float
+    radius: float
+
+
+@dataclass(frozen=True)
 class _Sides:
-    """Left, bottom, right, top, and the height of the springing and the radius of an arch."""
+    """The positions of the four sides; the top is the crown of the arc if there is one."""
 
     left: float
     bottom: float
     right: float
     top: float
-    centre: Optional[float] = None
-    radius: Optional[float] = None
+    arc: Optional[_Arc] = None
 
     @property
     def springing(self) -> float:
         """The height at which the upright sides end."""
-        if self.radius is None or self.centre is None:
+        if self.arc is None:
             return self.top
         half = 0.5 * (self.right - self.left)
-        return self.centre + np.sqrt(max(self.radius**2 - half**2, 0.0))
+        return self.arc.centre + float(np.sqrt(max(self.arc.radius**2 - half**2, 0.0)))
 
     def distances(self, points: np.ndarray) -> np.ndarray:
         """Return the distances of points to the four sides, shape (k, 4), positive outwards."""
         u, v = points.T
-        if self.radius is None or self.centre is None:
+        if self.arc is None:
             top = v - self.top
         else:
-            top = np.hypot(u - 0.5 * (self.left + self.right), v - self.centre) - self.radius
+            top = np.hypot(u - 0.5 * (self.left + self.right), v - self.arc.centre) - self.arc.radius
         return np.stack([self.left - u, self.bottom - v, u - self.right, top], axis=1)
 
     def polygon(self) -> Polygon:
         """Return the outline."""
         foot = [(self.left, self.bottom), (self.right, self.bottom)]
-        if self.radius is None or self.centre is None:
+        if self.arc is None:
             return Polygon([*foot, (self.right, self.top), (self.left, self.top)])
         middle, half = 0.5 * (self.left + self.right), 0.5 * (self.right - self.left)
-        rise = np.arctan2(self.springing - self.centre, half)
+        rise = np.arctan2(self.springing - self.arc.centre, half)
         angles = np.linspace(rise, np.pi - rise, ARC_POINTS)
         arc = np.stack(
-            [middle + self.radius * np.cos(angles), self.centre + self.radius * np.sin(angles)], axis=1
+            [middle + self.arc.radius * np.cos(angles), self.arc.centre + self.arc.radius * np.sin(angles)],
+            axis=1,
         )
         return Polygon([*foot, *arc])
 
@@ -114,7 +118,7 @@ def _candidates(border: Border, settings: OutlineSettings) -> list[tuple[str, _S
 
 def _fit_rectangle(border: Border, settings: ShapeSettings) -> _Sides:
     sides = _Sides(*border.ring.bounds)
-    for _ in range(ROUNDS):
+    for _ in range(settings.rounds):
         sides = _moved(sides, border, settings)
     return sides
 
@@ -124,19 +128,17 @@ def _moved(sides: _Sides, border: Border, settings: ShapeSettings) -> _Sides:
     nearest, _ = _assign(sides, border, settings)
     u, v = border.crossings.T
     old = (sides.left, sides.bottom, sides.right, sides.top)
-    new = [
-        _location(values[nearest == side], position)
+    left, bottom, right, top = (
+        _location(values[nearest == side], position, settings.rounds)
         for side, (values, position) in enumerate(zip((u, v, u, v), old))
-    ]
-    if sides.radius is None:
-        return _Sides(*new)
-    return _Sides(*new[:3], sides.top, sides.centre, sides.radius)
+    )
+    return _Sides(left, bottom, right, top if sides.arc is None else sides.top, sides.arc)
 
 
 def _assign(sides: _Sides, border: Border, settings: ShapeSettings) -> tuple[np.ndarray, np.ndarray]:
     """Return the number of the side nearest to each crossing, -1 at corners, and the distance to it."""
     distances = sides.distances(border.crossings)
-    if sides.radius is not None:
+    if sides.arc is not None:
         below = border.crossings[:, 1] < sides.springing
         distances[below, 3] = np.inf
         distances[~below, 0] = distances[~below, 2] = np.inf
@@ -147,14 +149,14 @@ def _assign(sides: _Sides, border: Border, settings: ShapeSettings) -> tuple[np.
     return np.where(second < settings.corner_gaps * border.gaps, -1, nearest), own
 
 
-def _location(values: np.ndarray, fallback: float) -> float:
-    """Return a robust mean of values, by Tukey's biweight; `fallback` if there are none."""
+def _location(values: np.ndarray, fallback: float, rounds: int) -> float:
+    """Return a robust mean of values, by Tukey's biweight; `fallback` without values."""
     if not len(values):
         return fallback
     middle = float(np.median(values))
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         scale = max(sigma_of_residuals(values - middle), 1e-4)
-        weights = tukey_weights(values - middle, scale, CUT)
+        weights = tukey_weights(values - middle, scale, EFFICIENT_CUT)
         middle = float(np.average(values, weights=weights))
     return middle
 
@@ -168,20 +170,23 @@ def _fit_arch(border: Border, rectangle: _Sides, settings: OutlineSettings) -> O
     if half <= 0 or height <= 0:
         return None
     top = border.ring.bounds[3]
-    sides = _Sides(rectangle.left, rectangle.bottom, rectangle.right, top, top - half, half)
-    for _ in range(ROUNDS):
+    arc = _Arc(top - half, half)
+    sides = _Sides(rectangle.left, rectangle.bottom, rectangle.right, top, arc)
+    for _ in range(settings.shapes.rounds):
         sides = _moved(sides, border, settings.shapes)
         half, middle = 0.5 * (sides.right - sides.left), 0.5 * (sides.left + sides.right)
         upper = border.crossings[border.crossings[:, 1] > sides.springing + corner]
         if len(upper) < 3:
             return None
-        crown = _location(upper[np.abs(upper[:, 0] - middle) < 0.1 * half, 1], top)
-        start = np.array([sides.centre, max(sides.radius, half)])
+        amid = np.abs(upper[:, 0] - middle) < 0.1 * half
+        crown = _location(upper[amid, 1], top, settings.shapes.rounds)
+        start = np.array([arc.centre, max(arc.radius, half)])
         centre, radius = fit_circle_on_axis(upper, middle, start, settings.noise_m)
         if radius < half:
             # The upright sides end where the semicircle of their own width does.
             centre, radius = crown - half, half
-        sides = _Sides(sides.left, sides.bottom, sides.right, centre + radius, centre, radius)
+        arc = _Arc(centre, radius)
+        sides = _Sides(sides.left, sides.bottom, sides.right, centre + radius, arc)
     return sides if sides.springing > sides.bottom else None
 
 

@@ -27,7 +27,9 @@ class BorderSettings:
 class JambSettings:
     """Points between a wall and what lies behind it."""
 
-    neighbours: int = judged(30, "Points that are judged together.")
+    neighbours: int = judged(
+        30, "Neighbouring points from which the slope of a jamb is estimated; fewer are too noisy."
+    )
     steepest: float = judged(
         0.1, "Points that move further into the hole, per depth, are not on a plumb jamb."
     )
@@ -41,14 +43,14 @@ class JambSettings:
 class HoleSettings:
     """Holes in a wall, and what was seen through them."""
 
-    farthest_m: float = judged(6.0, "Points further behind the wall say nothing about it.")
+    farthest_m: float = judged(6.0, "Points further behind the wall are not used to classify its holes.")
     filled: float = judged(0.5, "A recess has a surface behind at least this part of it; an opening has not.")
     jambs: float = judged(0.1, "An opening has points close behind the wall along this part of its border.")
     jamb_depth_m: float = physical(
         0.5, "Walls are about this thick; what is deeper may have been seen through a window beside the hole."
     )
     cell_spacings: float = judged(
-        3.0, "Side of the cells in which that is counted; smaller ones may miss points."
+        3.0, "Side of the cells that count the area with points behind a hole; smaller ones may miss points."
     )
     mouth: float = judged(
         0.45, "Largest part of the circumference of a gate that lies on the foot of the wall."
@@ -59,6 +61,7 @@ class HoleSettings:
 class ShapeSettings:
     """Rectangles and arches, and the standard deviations of their sides."""
 
+    rounds: int = judged(8, "Rounds of a robust fit, and of moving the sides of a shape to the border.")
     corner_gaps: float = judged(
         2.0, "Nearer to a corner than this many gaps, the border is rounded and belongs to no side."
     )
@@ -72,7 +75,7 @@ class ShapeSettings:
         "The scatter along an edge is estimated from few points; this factor keeps chance from adding to it.",
     )
     gain: float = judged(
-        0.8, "An arch must lower the rms of a rectangle to this part; simpler shapes go first."
+        0.8, "An arch must lower the rms to this part of that of a rectangle, the simpler shape."
     )
 
 
@@ -80,8 +83,10 @@ class ShapeSettings:
 class WallSettings:
     """The outline of the whole wall."""
 
-    hidden: float = judged(2.0, "A projection hides a strip this many times wider than it is deep ...")
-    hidden_m: float = judged(0.5, "... but no wider than this.")
+    hidden: float = judged(
+        2.0, "A projection hides a strip of the wall up to this many times as wide as it is deep."
+    )
+    hidden_m: float = judged(0.5, "The strip of the wall that a projection hides is no wider than this.")
     beside_spacings: float = judged(3.0, "A gap is hidden by a projection that is nearer than this.")
     smooth_spacings: float = physical(
         0.5, "The wall ends half a spacing beyond its outermost points; less than that is roughness."
@@ -105,5 +110,5 @@ class OutlineSettings:
     noise_rings: int = judged(3, "Rings of neighbours around removed points that are triangulated again.")
     noise_m: float = physical(0.002, "The noise of the points; no edge is measured better, whatever the gap.")
     parallel_deg: float = judged(
-        10.0, "Planes before the wall at a larger angle to it are not projections of it."
+        10.0, "Planes in front of the wall at a larger angle to it are not projections of it."
     )

@@ -52,8 +52,9 @@ def write_orthoimage(
     """
     rows = elevation.rows
     uvw = elevation.frame.local(points.xyz[rows], points.origin)
+    names: tuple[str, ...] = ("red", "green", "blue")
     if points.rgb is not None:
-        values, names = points.rgb[rows], ("red", "green", "blue")
+        values = points.rgb[rows]
     else:
         values, names = _grey(points, rows, settings)[:, None], ("intensity",)
     left, bottom, right, top = elevation.wall.bounds

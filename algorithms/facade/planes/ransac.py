@@ -82,7 +82,16 @@ def refit(
 
 
 @njit(cache=True, nogil=True)
-def _search(points, normals, limits, samples, tries, seed, best_normal, best_anchor):
+def _search(
+    points: np.ndarray,
+    normals: np.ndarray,
+    limits: tuple[float, float, float],
+    samples: int,
+    tries: int,
+    seed: int,
+    best_normal: np.ndarray,
+    best_anchor: np.ndarray,
+) -> float:
     """Write the best plane and return its score: the nearer a point is to the plane, the more it counts."""
     reach, least_cosine, _ = limits
     np.random.seed(seed)
@@ -110,7 +119,13 @@ def _search(points, normals, limits, samples, tries, seed, best_normal, best_anc
 
 
 @njit(cache=True, nogil=True)
-def _complete(points, normals, limits, tries, sample):
+def _complete(
+    points: np.ndarray,
+    normals: np.ndarray,
+    limits: tuple[float, float, float],
+    tries: int,
+    sample: np.ndarray,
+) -> bool:
     """Add two more points that may lie on one plane with the first; return whether they were found."""
     reach, least_cosine, slope = limits
     first = sample[0]
@@ -134,7 +149,15 @@ def _complete(points, normals, limits, tries, sample):
 
 
 @njit(cache=True, nogil=True)
-def _score(points, normals, reach, least_cosine, normal, anchor):
+def _score(
+    points: np.ndarray,
+    normals: np.ndarray,
+    reach: float,
+    least_cosine: float,
+    normal: np.ndarray,
+    anchor: np.ndarray,
+) -> float:
+    """Return the sum of the weights of the points within reach of a plane."""
     score = 0.0
     for point in range(len(points)):
         height, cosine = 0.0, 0.0

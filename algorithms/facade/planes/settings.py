@@ -79,16 +79,23 @@ class PlaneSettings:
     )
     depth_m: float = physical(
         1.0,
-        "A facade reaches this far before and behind its main plane: bays, cornices, doors, window panes.",
+        "A facade reaches this far in front of and behind its main plane: bays, cornices, doors, panes.",
     )
     beside_m: float = physical(
-        0.3, "A facade reaches this far beyond the ends of its main plane: eaves, plinths."
+        0.3, "A facade reaches this far beyond the ends of its main plane; planes at its corners are found."
     )
-    share: float = judged(0.01, "MIN_POINTS, if not given, is this share of the points of the main plane ...")
-    fewest_points: int = judged(100, "... but not fewer than this.")
-    far_m: float = judged(0.5, "Points further than this from the main plane are on one of its sides ...")
+    share: float = judged(
+        0.01, "If MIN_POINTS is not given, it is this share of the points of the main plane."
+    )
+    fewest_points: int = judged(
+        100, "Least MIN_POINTS, if it is not given; fewer remaining points are not searched for planes."
+    )
+    far_m: float = judged(
+        0.5,
+        "Points further from the main plane show on which side the street is; nearer ones are the facade.",
+    )
     around_m: float = judged(
-        2.0, "... if they are not further beyond its ends; the side with more is the front."
+        2.0, "Points further beyond the ends of the main plane do not show where its front is."
     )
     coarse: float = judged(
         2.0, "Cubes in which the main plane is first searched, in units of ds; finer cost time."

@@ -1,1 +1,5 @@
-"""The least squares adjustment and its statistics."""
+"""The least squares adjustment of one scan and of all, and its statistics.
+
+Public names: `scan_adjustment.fit_scan`, `block_adjustment.adjust_block`, `evaluation.Evaluation`,
+`control_network.ControlNetwork`, `similarity.Pose` and `fit_pose`, and the tests of `statistical_tests`.
+"""

@@ -1,4 +1,4 @@
-"""All scans and the points that they share, adjusted together; outliers leave one at a time."""
+"""All scans and the points that they share, adjusted together; outliers are rejected one at a time."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -6,50 +6,52 @@ from typing import Optional
 import numpy as np
 
 from ..results import GlobalTest
-from ..sequential_registration import Growth
+from ..sequential_registration import SequentialRegistration
 from ..settings import Settings
-from .least_squares import Block, Sighting, adjust
-from .scan_adjustment import worst_target
-from .statistical_tests import global_test
+from .least_squares import Block, Residuals, Sighting, adjust
+from .statistical_tests import global_test, worst_target
 from .target_layout import fixes_pose, line_width
+
+Rejected = dict[int, np.ndarray]
+Suspect = tuple[int, int, np.ndarray]
 
 
 @dataclass(frozen=True)
 class Adjusted:
-    """The adjusted block, and what it stands on.
+    """The adjusted block, and the targets it was computed from.
 
     Attributes
     ----------
     block : Block
         Its points are those of the network; those that only one scan sees are left as they were.
     used : tuple of ndarray of int
-        Rows of the targets that each scan contributes.
+        Rows of the targets of each scan that were used.
     rejected : tuple of dict of int to ndarray, shape (3,)
-        Rows that each scan does not, with Baarda's w that led to it.
+        Rows of the targets of each scan that were not, with Baarda's w that led to it.
     tests : tuple of GlobalTest
         Of each scan.
     """
 
     block: Block
     used: tuple[np.ndarray, ...]
-    rejected: tuple[dict, ...]
+    rejected: tuple[Rejected, ...]
     tests: tuple[GlobalTest, ...]
 
 
-def adjust_block(growth: Growth, settings: Settings) -> Adjusted:
-    """Adjust all placed scans in one block.
+def adjust_block(sequence: SequentialRegistration, settings: Settings) -> Adjusted:
+    """Adjust all registered scans in one block.
 
     Parameters
     ----------
-    growth : Growth
-        With at least one scan placed.
+    sequence : SequentialRegistration
+        With at least one scan.
     settings : Settings
     """
-    rejected = tuple(dict(scan.rejected) for scan in growth.placed)
-    adjusted = _adjusted(growth, rejected, settings)
-    spared: set = set()
+    rejected = tuple(dict(scan.rejected) for scan in sequence.placed)
+    adjusted = _adjusted(sequence, rejected, settings)
+    spared: set[tuple[int, int]] = set()
     while True:
-        suspect = _suspect(growth, adjusted, spared, settings)
+        suspect = _suspect(sequence, adjusted, spared, settings)
         if suspect is None:
             return adjusted
         number, row, normalized = suspect
@@ -57,58 +59,66 @@ def adjust_block(growth: Growth, settings: Settings) -> Adjusted:
             {**out, row: normalized} if scan == number else out for scan, out in enumerate(adjusted.rejected)
         )
         try:
-            adjusted = _adjusted(growth, fewer, settings)
+            adjusted = _adjusted(sequence, fewer, settings)
         except np.linalg.LinAlgError:
-            # Nothing else holds the scans together.
+            # Without this target the scans do not hang together.
             spared.add((number, row))
 
 
-def _adjusted(growth: Growth, rejected: tuple[dict, ...], settings: Settings) -> Adjusted:
-    used = _used(growth, rejected)
+def _adjusted(
+    sequence: SequentialRegistration, rejected: tuple[Rejected, ...], settings: Settings
+) -> Adjusted:
+    used = _used(sequence, rejected)
     sightings = []
-    for scan, rows in zip(growth.placed, used):
+    for scan, rows in zip(sequence.placed, used):
         if not fixes_pose(scan.scan.xyz[rows], settings.model, line_width(scan.scan.xyz, settings)):
             raise np.linalg.LinAlgError(f"{scan.scan.name} has too few points left")
         sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose))
     block = adjust(
         sightings,
-        growth.network.points,
-        growth.network.surveyed,
+        sequence.network.points,
+        sequence.network.surveyed,
         settings.model,
         settings.sigma,
         settings.control_sigma,
+        settings.adjustment,
     )
-    tests = tuple(_test_of(item, settings.sigma) for item in block.targets)
+    tests = tuple(_test_of(item, settings) for item in block.targets)
     return Adjusted(block, tuple(used), rejected, tests)
 
 
-def _used(growth: Growth, rejected: tuple) -> list[np.ndarray]:
-    """Return the rows of each scan that say something about it: surveyed points, and those seen again."""
+def _used(sequence: SequentialRegistration, rejected: tuple[Rejected, ...]) -> list[np.ndarray]:
+    """Return the rows of each scan that contribute to it: surveyed points, and points seen by other scans."""
     rows = [
         np.array([row for row in range(len(scan.labels)) if row not in out], int)
-        for scan, out in zip(growth.placed, rejected)
+        for scan, out in zip(sequence.placed, rejected)
     ]
     seen = np.bincount(
-        np.concatenate([scan.labels[own] for scan, own in zip(growth.placed, rows)]),
-        minlength=len(growth.network.names),
+        np.concatenate([scan.labels[own] for scan, own in zip(sequence.placed, rows)]),
+        minlength=len(sequence.network.names),
     )
-    telling = growth.network.surveyed | (seen > 1)
-    return [own[telling[scan.labels[own]]] for scan, own in zip(growth.placed, rows)]
+    contributing = sequence.network.surveyed | (seen > 1)
+    return [own[contributing[scan.labels[own]]] for scan, own in zip(sequence.placed, rows)]
 
 
-def _test_of(residuals, sigma: float) -> GlobalTest:
-    squares = float(np.sum(residuals.residuals**2)) / sigma**2
-    return global_test(squares, float(residuals.redundancy.sum()))
+def _test_of(residuals: Residuals, settings: Settings) -> GlobalTest:
+    squares = float(np.sum(residuals.residuals**2)) / settings.sigma**2
+    return global_test(squares, float(residuals.redundancy.sum()), settings.adjustment.tests)
 
 
-def _suspect(growth: Growth, adjusted: Adjusted, spared: set, settings: Settings) -> Optional[tuple]:
+def _suspect(
+    sequence: SequentialRegistration,
+    adjusted: Adjusted,
+    spared: set[tuple[int, int]],
+    settings: Settings,
+) -> Optional[Suspect]:
     """Return scan, row and w of the most suspicious target that can be spared, or None."""
     suspects = []
     for number, (residuals, test) in enumerate(zip(adjusted.block.targets, adjusted.tests)):
         rows = adjusted.used[number]
         barred = np.array([(number, row) in spared for row in rows])
         normalized = np.where(barred[:, None], 0.0, residuals.normalized)
-        worst = worst_target(normalized, test.sigma0, test.redundancy)
+        worst = worst_target(normalized, test.sigma0, test.redundancy, settings.adjustment.tests)
         if worst is not None:
             size = float(np.nanmax(np.abs(normalized[worst])))
             suspects.append((size, number, int(rows[worst]), normalized[worst]))

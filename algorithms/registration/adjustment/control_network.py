@@ -1,25 +1,23 @@
-"""The list of control points as it grows by the targets of registered scans (paper, chapter 4).
+"""The control points, surveyed or appended from registered scans (paper, chapter 4).
 
-Appended points come with their covariance, also among each other: all targets of one scan share the error of
-its pose, and so does what is hung on them.
+Appended points have a covariance, also among each other: all targets of one scan share the error of its pose,
+and pass it on to the scans that are registered to them.
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..matching.control_points import Site
-
 
 @dataclass(frozen=True)
-class Network:
+class ControlNetwork:
     """Control points, surveyed and appended.
 
     Attributes
     ----------
     names : tuple of str
     labels : tuple of str
-        The names that targets go by: of an appended point, that of its target.
+        The names that targets may have: of an appended point, that of its target.
     points : ndarray, shape (p, 3)
         Near the origin.
     origins : tuple of str
@@ -27,7 +25,7 @@ class Network:
     control_sigma : float
         Standard deviation of a surveyed coordinate.
     loose : ndarray of int, shape (q,)
-        The points whose errors are related to others'.
+        The points whose errors are correlated with others'.
     covariance : ndarray, shape (3 q, 3 q)
         Of the loose points.
     """
@@ -41,7 +39,9 @@ class Network:
     covariance: np.ndarray
 
     @classmethod
-    def of_surveyed(cls, names: tuple[str, ...], points: np.ndarray, control_sigma: float) -> "Network":
+    def of_surveyed(
+        cls, names: tuple[str, ...], points: np.ndarray, control_sigma: float
+    ) -> "ControlNetwork":
         """Return a network without appended points."""
         nothing = np.zeros((0, 0))
         return cls(names, names, points, ("",) * len(names), control_sigma, np.zeros(0, int), nothing)
@@ -51,11 +51,7 @@ class Network:
         """Which points were surveyed, bool of shape (p,)."""
         return np.array([not origin for origin in self.origins])
 
-    def site(self, sigma: float, factor: float, drift: float) -> Site:
-        """Return the points as the search for matches needs them."""
-        return Site(self.points, self._variances(), sigma, factor, drift)
-
-    def _variances(self) -> np.ndarray:
+    def distance_variances(self) -> np.ndarray:
         """Return the variances of the distances between all points, shape (p, p)."""
         alone = np.where(self.surveyed, self.control_sigma**2, 0.0)
         variances = alone[:, None] + alone[None, :]
@@ -77,8 +73,8 @@ class Network:
         np.fill_diagonal(variances, 0.0)
         return variances
 
-    def with_related(self, points: np.ndarray) -> "Network":
-        """Return the network with `points` among the loose ones, if their errors matter."""
+    def with_correlated(self, points: np.ndarray) -> "ControlNetwork":
+        """Return the network with `points` among the loose ones, if they are not held fixed."""
         fresh = np.setdiff1d(points, self.loose)
         if not self.control_sigma or not len(fresh):
             return self
@@ -123,7 +119,7 @@ class Network:
         points: np.ndarray,
         covariance: np.ndarray,
         with_loose: np.ndarray,
-    ) -> "Network":
+    ) -> "ControlNetwork":
         """Return the network with the unmatched targets of a scan.
 
         Parameters

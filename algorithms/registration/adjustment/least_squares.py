@@ -13,12 +13,13 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.sparse import csr_matrix
 
 from ..settings import Model
+from .gauss_newton import iterated
+from .settings import AdjustmentSettings, OutlierTestSettings
 from .similarity import Pose, moved_pose, parameter_design
-from .statistical_tests import NONCENTRALITY, UNCONTROLLED, divided
+from .statistical_tests import detectable_biases, normalized_residuals
 
-ROUNDS = 50
-SMALL_STEP = 1e-10
-"""Metres and radians; the adjustment has converged when no unknown changes by more."""
+Unknowns = tuple[list[Pose], np.ndarray]
+"""The poses of the scans, and the control points."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +103,7 @@ def adjust(
     model: Model,
     sigma: float,
     control_sigma: float = 0.0,
+    settings: AdjustmentSettings = AdjustmentSettings(),
 ) -> Block:
     """Adjust scans to their control points.
 
@@ -115,18 +117,28 @@ def adjust(
     model : Model
     sigma, control_sigma : float
         A priori standard deviations of the coordinates of targets and of surveyed points, metres.
+    settings : AdjustmentSettings
     """
     loose = np.ones(len(points), bool) if control_sigma > 0 else ~surveyed
     seen = np.zeros(len(points), bool)
     seen[np.concatenate([item.points for item in sightings])] = True
     system = _System(sightings, points, surveyed & seen, loose & seen, model, sigma, control_sigma)
-    return system.solved()
+    return system.solved(settings)
 
 
 class _System:
     """The observation equations, one row for a coordinate; columns are -1 where a row has fewer."""
 
-    def __init__(self, sightings, points, surveyed, loose, model, sigma, control_sigma) -> None:
+    def __init__(
+        self,
+        sightings: Sequence[Sighting],
+        points: np.ndarray,
+        surveyed: np.ndarray,
+        loose: np.ndarray,
+        model: Model,
+        sigma: float,
+        control_sigma: float,
+    ) -> None:
         self.sightings, self.given, self.model = sightings, points, model
         self.sigma, self.control_sigma = sigma, control_sigma
         self.loose = np.flatnonzero(loose)
@@ -138,33 +150,34 @@ class _System:
         rows = [np.full(3 * len(item.points), sigma) for item in sightings]
         self.sigmas = np.concatenate([*rows, np.full(3 * len(self.observed), control_sigma)])
 
-    def solved(self) -> Block:
-        poses = [item.pose for item in self.sightings]
-        points = self.given.copy()
-        for _ in range(ROUNDS):
-            columns, values = self._design(poses)
-            step, cofactors = self._step(columns, values, self._residuals(poses, points))
-            shares = step[: self.pose_unknowns].reshape(len(poses), -1)
-            poses = [moved_pose(pose, share, self.model) for pose, share in zip(poses, shares)]
-            points[self.loose] += step[self.pose_unknowns :].reshape(-1, 3)
-            if np.abs(step).max() < SMALL_STEP:
-                break
-        return self._block(poses, points, columns, values, cofactors)
+    def solved(self, settings: AdjustmentSettings) -> Block:
+        start = [item.pose for item in self.sightings], self.given
+        poses, points = iterated(self._advanced, start, settings.iteration)
+        return self._block(poses, points, settings.tests)
 
-    def _residuals(self, poses: list, points: np.ndarray) -> np.ndarray:
+    def _advanced(self, unknowns: Unknowns) -> tuple[Unknowns, np.ndarray]:
+        poses, points = unknowns
+        self.columns, self.values = self._design(poses)
+        step, self.cofactors = self._step(self.columns, self.values, self._residuals(poses, points))
+        shares = step[: self.pose_unknowns].reshape(len(poses), -1)
+        points = points.copy()
+        points[self.loose] += step[self.pose_unknowns :].reshape(-1, 3)
+        return ([moved_pose(pose, share, self.model) for pose, share in zip(poses, shares)], points), step
+
+    def _residuals(self, poses: list[Pose], points: np.ndarray) -> np.ndarray:
         """Return v at the present values, shape (n,)."""
         of_targets = [
-            (pose.turned(item.targets) + (pose.place - points[item.points])).ravel()
+            (pose.rotated(item.targets) + (pose.position - points[item.points])).ravel()
             for item, pose in zip(self.sightings, poses)
         ]
         return np.concatenate([*of_targets, (points - self.given)[self.observed].ravel()])
 
-    def _design(self, poses: list) -> tuple[np.ndarray, np.ndarray]:
+    def _design(self, poses: list[Pose]) -> tuple[np.ndarray, np.ndarray]:
         """Return the columns and the values of the derivatives of v, shape (n, u + 1) each."""
         width = self.model.unknowns
         columns, values = [], []
         for number, (item, pose) in enumerate(zip(self.sightings, poses)):
-            derivatives = parameter_design(pose.turned(item.targets), self.model).reshape(-1, width)
+            derivatives = parameter_design(pose.rotated(item.targets), self.model).reshape(-1, width)
             of_pose = np.broadcast_to(np.arange(width) + number * width, derivatives.shape)
             columns.append(np.column_stack([of_pose, self._point_columns(item.points)]))
             values.append(np.column_stack([derivatives, np.full(len(derivatives), -1.0)]))
@@ -180,7 +193,9 @@ class _System:
         first = self.first[points][:, None]
         return np.where(first < 0, -1, first + np.arange(3)).ravel()
 
-    def _step(self, columns, values, residuals) -> tuple[np.ndarray, np.ndarray]:
+    def _step(
+        self, columns: np.ndarray, values: np.ndarray, residuals: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return x = (A'PA)^-1 A'Pl and the inverse, where l = -v (paper, eq. 3)."""
         rows = np.repeat(np.arange(len(columns)), columns.shape[1])
         weighted = (values / self.sigmas[:, None]).ravel()
@@ -193,18 +208,17 @@ class _System:
         cofactors = cho_solve(factor, np.eye(self.unknowns)) / np.outer(sizes, sizes)
         return cofactors @ (design.T @ (-residuals / self.sigmas)), cofactors
 
-    def _block(self, poses, points, columns, values, cofactors) -> Block:
-        places = np.maximum(columns, 0)
+    def _block(self, poses: list[Pose], points: np.ndarray, tests: OutlierTestSettings) -> Block:
+        values, cofactors = self.values, self.cofactors
+        columns = np.maximum(self.columns, 0)
         adjusted = np.einsum(
-            "ij,ijk,ik->i", values, cofactors[places[:, :, None], places[:, None, :]], values
+            "ij,ijk,ik->i", values, cofactors[columns[:, :, None], columns[:, None, :]], values
         )
         redundancy = np.clip(1.0 - adjusted / self.sigmas**2, 0.0, 1.0)
         residuals = self._residuals(poses, points)
         ends = 3 * np.cumsum([len(item.points) for item in self.sightings])
-        kinds = [
-            _describe(*(part.reshape(-1, 3) for part in parts))
-            for parts in zip(*(np.split(each, ends) for each in (residuals, redundancy, self.sigmas)))
-        ]
+        parts = zip(*(np.split(each, ends) for each in (residuals, redundancy, self.sigmas)))
+        kinds = [_tested(v.reshape(-1, 3), r.reshape(-1, 3), s.reshape(-1, 3), tests) for v, r, s in parts]
         width = self.model.unknowns
         return Block(
             poses=tuple(poses),
@@ -234,11 +248,12 @@ class _System:
         return Residuals(*spread)
 
 
-def _describe(residuals: np.ndarray, redundancy: np.ndarray, sigmas: np.ndarray) -> Residuals:
-    roots = np.where(redundancy > UNCONTROLLED, np.sqrt(redundancy), 0.0)
+def _tested(
+    residuals: np.ndarray, redundancy: np.ndarray, sigmas: np.ndarray, tests: OutlierTestSettings
+) -> Residuals:
     return Residuals(
         residuals=residuals,
         redundancy=redundancy,
-        normalized=divided(residuals / sigmas, roots),
-        detectable=divided(sigmas * NONCENTRALITY, roots),
+        normalized=normalized_residuals(residuals / sigmas, redundancy, np.ones(1), tests),
+        detectable=detectable_biases(sigmas, redundancy, tests),
     )

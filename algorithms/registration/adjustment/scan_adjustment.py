@@ -1,17 +1,19 @@
-"""The adjustment of one scan to control points whose errors may be related (paper, eqs. 2 to 5)."""
+"""The adjustment of one scan to control points whose errors may be correlated (paper, eqs. 2 to 5)."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from ..settings import Model
+from ..results import GlobalTest
+from ..settings import Model, Settings
+from .gauss_newton import iterated
 from .similarity import Pose, fit_pose, moved_pose, parameter_design
-from .statistical_tests import CRITICAL_W, UNCONTROLLED, critical_tau, divided
+from .statistical_tests import global_test, normalized_residuals, worst_target
 from .target_layout import fixes_pose
 
-ROUNDS = 20
-SMALL_STEP = 1e-10
+State = tuple[Pose, np.ndarray, np.ndarray]
+"""The pose; P A and the cofactors of its parameters, at the pose before."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +27,7 @@ class Fit:
     cofactors : ndarray, shape (u, u)
         Covariance of the parameters, by the a priori standard deviations.
     gain : ndarray, shape (u, 3 k)
-        How the parameters follow the coordinates of the control points that were used.
+        Derivatives of the parameters by the coordinates of the control points that were used.
     used : ndarray of bool, shape (k0,)
         Which of the given targets were.
     rejected : dict of int to ndarray, shape (3,)
@@ -37,16 +39,22 @@ class Fit:
     cofactors: np.ndarray
     gain: np.ndarray
     used: np.ndarray
-    rejected: dict
+    rejected: dict[int, np.ndarray]
+
+
+@dataclass(frozen=True)
+class _Adjusted:
+    pose: Pose
+    cofactors: np.ndarray
+    gain: np.ndarray
+    normalized: np.ndarray
+    test: GlobalTest
 
 
 def fit_scan(
-    targets: np.ndarray, points: np.ndarray, covariance: np.ndarray, model: Model, sigma: float, width: float
+    targets: np.ndarray, points: np.ndarray, covariance: np.ndarray, settings: Settings, width: float
 ) -> Fit:
-    """Adjust a scan, and reject outliers one at a time.
-
-    A target is rejected if both Baarda's w, by the a priori standard deviations, and Pope's tau, by the a
-    posteriori one, say so: where noise was only taken for too small, nothing is rejected.
+    """Adjust a scan, and reject outliers one at a time, as `worst_target` finds them.
 
     Parameters
     ----------
@@ -54,67 +62,50 @@ def fit_scan(
         Partners, row by row.
     covariance : ndarray, shape (3 k0, 3 k0)
         Of the points.
-    model : Model
-    sigma : float
-        Standard deviation of a target's coordinate, metres.
+    settings : Settings
     width : float
         How far from a line the targets that remain must lie.
     """
     used = np.ones(len(targets), bool)
-    rejected: dict = {}
+    rejected: dict[int, np.ndarray] = {}
     while True:
         rows = np.repeat(used, 3)
-        related = covariance[np.ix_(rows, rows)] + np.eye(rows.sum()) * sigma**2
-        pose, cofactors, gain, normalized, sigma0, redundancy = _adjusted(
-            targets[used], points[used], related, model
-        )
-        worst = worst_target(normalized, sigma0, redundancy)
+        related = covariance[np.ix_(rows, rows)] + np.eye(rows.sum()) * settings.sigma**2
+        adjusted = _adjusted(targets[used], points[used], related, settings)
+        test = adjusted.test
+        worst = worst_target(adjusted.normalized, test.sigma0, test.redundancy, settings.adjustment.tests)
         if worst is None:
             break
         number = int(np.flatnonzero(used)[worst])
         rest = used.copy()
         rest[number] = False
-        if not fixes_pose(targets[rest], model, width):
+        if not fixes_pose(targets[rest], settings.model, width):
             break
-        rejected[number], used = normalized[worst], rest
-    return Fit(model, pose, cofactors, gain, used, rejected)
+        rejected[number], used = adjusted.normalized[worst], rest
+    return Fit(settings.model, adjusted.pose, adjusted.cofactors, adjusted.gain, used, rejected)
 
 
-def worst_target(normalized: np.ndarray, sigma0: float, redundancy: float):
-    """Return the row with the largest |w| if both tests suspect it, else None.
-
-    Parameters
-    ----------
-    normalized : ndarray, shape (k, 3)
-        Baarda's w.
-    sigma0, redundancy : float
-        Of the scan.
-    """
-    largest = np.nan_to_num(np.abs(normalized)).max(axis=1)
-    worst = int(largest.argmax())
-    limit = max(CRITICAL_W, critical_tau(redundancy) * sigma0)
-    return worst if largest[worst] > limit else None
-
-
-def _adjusted(targets, points, covariance, model) -> tuple:
-    pose = fit_pose(points, targets, model)
+def _adjusted(
+    targets: np.ndarray, points: np.ndarray, covariance: np.ndarray, settings: Settings
+) -> _Adjusted:
+    model, tests = settings.model, settings.adjustment.tests
     factor = cho_factor(covariance)
-    for _ in range(ROUNDS):
-        design = parameter_design(pose.turned(targets), model).reshape(-1, model.unknowns)
+
+    def advance(state: State) -> tuple[State, np.ndarray]:
+        pose = state[0]
+        design = parameter_design(pose.rotated(targets), model).reshape(-1, model.unknowns)
         weighted = cho_solve(factor, design)
         cofactors = np.linalg.inv(design.T @ weighted)
-        gain = cofactors @ weighted.T
-        step = gain @ (points - pose.apply(targets)).ravel()
-        pose = moved_pose(pose, step, model)
-        if np.abs(step).max() < SMALL_STEP:
-            break
+        step = (cofactors @ weighted.T) @ (points - pose.apply(targets)).ravel()
+        return (moved_pose(pose, step, model), weighted, cofactors), step
+
+    start = (fit_pose(points, targets, model), np.empty(0), np.empty(0))
+    pose, weighted, cofactors = iterated(advance, start, settings.adjustment.iteration)
     residuals = (pose.apply(targets) - points).ravel()
     weighted_residuals = cho_solve(factor, residuals)
-    # P Qvv P = P - P A Q A' P, whose diagonal serves related observations too.
+    # P Qvv P = P - P A Q A' P, whose diagonal is right for correlated observations too.
     weights = cho_solve(factor, np.eye(len(residuals)))
     variances = np.diag(weights) - np.einsum("ij,jk,ik->i", weighted, cofactors, weighted)
-    controlled = variances > UNCONTROLLED * np.diag(weights)
-    normalized = divided(weighted_residuals, np.where(controlled, np.sqrt(np.abs(variances)), 0.0))
-    redundancy = len(residuals) - model.unknowns
-    sigma0 = float(np.sqrt(residuals @ weighted_residuals / max(redundancy, 1)))
-    return pose, cofactors, gain, normalized.reshape(-1, 3), sigma0, redundancy
+    normalized = normalized_residuals(weighted_residuals, variances, np.diag(weights), tests)
+    test = global_test(float(residuals @ weighted_residuals), len(residuals) - model.unknowns, tests)
+    return _Adjusted(pose, cofactors, cofactors @ weighted.T, normalized.reshape(-1, 3), test)

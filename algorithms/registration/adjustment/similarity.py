@@ -1,6 +1,7 @@
 """The similarity A = m R B + T, and its best values for points whose partners are known."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -19,40 +20,40 @@ class Pose:
     scale : ndarray, shape (...)
     centre : ndarray, shape (..., 3)
         In the scan.
-    place : ndarray, shape (..., 3)
-        Where the centre comes to lie in the control frame.
+    position : ndarray, shape (..., 3)
+        Of the centre in the control frame.
     """
 
     rotation: np.ndarray
     scale: np.ndarray
     centre: np.ndarray
-    place: np.ndarray
+    position: np.ndarray
 
-    def turned(self, points: np.ndarray) -> np.ndarray:
+    def rotated(self, points: np.ndarray) -> np.ndarray:
         """Return m R (b - centre), shape (..., n, 3), for points b of shape (..., n, 3)."""
         arms = (points - self.centre[..., None, :]) @ np.swapaxes(self.rotation, -1, -2)
         return arms * self.scale[..., None, None]
 
     def apply(self, points: np.ndarray) -> np.ndarray:
         """Return the points in the control frame, shape (..., n, 3)."""
-        return self.turned(points) + self.place[..., None, :]
+        return self.rotated(points) + self.position[..., None, :]
 
     def matrix(self) -> np.ndarray:
         """Return the transformation as a matrix of shape (4, 4); for a single pose."""
         matrix = np.eye(4)
         matrix[:3, :3] = self.scale * self.rotation
-        matrix[:3, 3] = self.place - matrix[:3, :3] @ self.centre
+        matrix[:3, 3] = self.position - matrix[:3, :3] @ self.centre
         return matrix
 
-    def __getitem__(self, index) -> "Pose":
-        return Pose(self.rotation[index], self.scale[index], self.centre[index], self.place[index])
+    def __getitem__(self, index: Any) -> "Pose":
+        return Pose(self.rotation[index], self.scale[index], self.centre[index], self.position[index])
 
 
 def fit_pose(control: np.ndarray, targets: np.ndarray, model: Model) -> Pose:
     """Return the similarity with the least squares of A - m R B - T, in closed form.
 
-    Horn's unit quaternion belongs to the largest signed eigenvalue, which also serves targets in one
-    plane; a levelled scan turns by one angle.
+    Horn's unit quaternion is the eigenvector of the largest signed eigenvalue, which is right for targets in
+    one plane too; a levelled scan rotates by one angle.
 
     Parameters
     ----------
@@ -64,16 +65,16 @@ def fit_pose(control: np.ndarray, targets: np.ndarray, model: Model) -> Pose:
     ----------
     Horn (1987): Closed-form solution of absolute orientation using unit quaternions.
     """
-    place, centre = control.mean(axis=-2), targets.mean(axis=-2)
-    a, b = control - place[..., None, :], targets - centre[..., None, :]
+    position, centre = control.mean(axis=-2), targets.mean(axis=-2)
+    a, b = control - position[..., None, :], targets - centre[..., None, :]
     products = np.swapaxes(b, -1, -2) @ a
     rotation = _about_vertical(products) if model.levelled else _by_quaternion(products)
-    scale = np.ones(place.shape[:-1])
+    scale = np.ones(position.shape[:-1])
     if model.scaled:
-        # A scale of nothing stays 1: coincident targets say nothing about it.
+        # Coincident targets have no scale; nothing is divided by zero.
         squares = np.maximum((b**2).sum(axis=(-2, -1)), np.finfo(float).tiny)
         scale = (a * (b @ np.swapaxes(rotation, -1, -2))).sum(axis=(-2, -1)) / squares
-    return Pose(rotation, scale, centre, place)
+    return Pose(rotation, scale, centre, position)
 
 
 def _about_vertical(products: np.ndarray) -> np.ndarray:
@@ -106,7 +107,7 @@ def _by_quaternion(products: np.ndarray) -> np.ndarray:
 
 
 def parameter_design(arms: np.ndarray, model: Model) -> np.ndarray:
-    """Return how transformed points follow the parameters of a scan.
+    """Return the derivatives of transformed points by the parameters of a scan.
 
     Parameters
     ----------
@@ -117,7 +118,7 @@ def parameter_design(arms: np.ndarray, model: Model) -> np.ndarray:
     Returns
     -------
     ndarray, shape (n, 3, u)
-        Derivatives by the place (3), small rotations about x, y and z of the control frame (about z only
+        By the position (3), small rotations about x, y and z of the control frame (about z only
         if levelled), and the relative change of the scale.
     """
     count = len(arms)
@@ -135,9 +136,9 @@ def parameter_design(arms: np.ndarray, model: Model) -> np.ndarray:
 
 def moved_pose(pose: Pose, step: np.ndarray, model: Model) -> Pose:
     """Return the pose after a step of its parameters, as `parameter_design` orders them."""
-    turn = np.array([0.0, 0.0, step[3]]) if model.levelled else step[3:6]
-    growth = 1.0 + step[-1] if model.scaled else 1.0
-    return Pose(rotation_about(turn) @ pose.rotation, pose.scale * growth, pose.centre, pose.place + step[:3])
+    vector = np.array([0.0, 0.0, step[3]]) if model.levelled else step[3:6]
+    scale = pose.scale * (1.0 + step[-1] if model.scaled else 1.0)
+    return Pose(rotation_about(vector) @ pose.rotation, scale, pose.centre, pose.position + step[:3])
 
 
 def rotation_about(vector: np.ndarray) -> np.ndarray:

@@ -1,29 +1,19 @@
-"""What an adjustment says about itself: tests, and the limits of what they can see."""
+"""The tests of an adjustment: global test, Baarda's w, Pope's tau and minimal detectable biases."""
+
+from typing import Optional
 
 import numpy as np
 from scipy import stats
 
 from ..results import GlobalTest
-
-ALPHA = 0.001
-"""Significance level of the tests for outliers (Baarda's data snooping)."""
-
-POWER = 0.80
-"""With which a bias of the minimal detectable size is found."""
-
-CRITICAL_W = float(stats.norm.isf(ALPHA / 2))
-"""Beyond this |w| an observation is suspected."""
-
-NONCENTRALITY = CRITICAL_W + float(stats.norm.ppf(POWER))
-"""Baarda's delta0."""
-
-UNCONTROLLED = 1e-9
-"""Below this redundancy number nothing controls an observation."""
+from .settings import OutlierTestSettings
 
 
-def global_test(sum_of_squares: float, redundancy: float) -> GlobalTest:
+def global_test(
+    sum_of_squares: float, redundancy: float, settings: OutlierTestSettings = OutlierTestSettings()
+) -> GlobalTest:
     """Return the chi-square test of v'Pv against the a priori standard deviations."""
-    if redundancy < UNCONTROLLED:
+    if redundancy < settings.least_redundancy:
         return GlobalTest(sum_of_squares, redundancy, float("nan"), float("nan"))
     return GlobalTest(
         sum_of_squares=sum_of_squares,
@@ -33,20 +23,81 @@ def global_test(sum_of_squares: float, redundancy: float) -> GlobalTest:
     )
 
 
-def critical_tau(redundancy: float) -> float:
-    """Return beyond which Pope's |tau| an observation is suspected; infinite without redundancy.
+def critical_tau(redundancy: float, settings: OutlierTestSettings = OutlierTestSettings()) -> float:
+    """Return the |tau| beyond which an observation is suspected; infinite without redundancy.
 
     Pope (1976): tau follows from Student's t with n - u - 1 degrees of freedom.
     """
     if redundancy <= 1:
         return float("inf")
-    t = stats.t.isf(ALPHA / 2, redundancy - 1)
+    t = stats.t.isf(settings.significance / 2, redundancy - 1)
     return float(t * np.sqrt(redundancy / (redundancy - 1 + t**2)))
 
 
-def spread_factor(test: GlobalTest) -> float:
-    """Return the sigma0 of the paper's eq. 5; 1 where nothing is redundant."""
-    return test.sigma0 if test.redundancy >= UNCONTROLLED else 1.0
+def normalized_residuals(
+    residuals: np.ndarray,
+    cofactors: np.ndarray,
+    weights: np.ndarray,
+    settings: OutlierTestSettings = OutlierTestSettings(),
+) -> np.ndarray:
+    """Return Baarda's w, nan where nothing checks an observation.
+
+    Parameters
+    ----------
+    residuals : ndarray
+        P v; of unrelated observations, v / sigma.
+    cofactors : ndarray
+        The diagonal of P Qvv P; of unrelated observations, the redundancy numbers.
+    weights : ndarray
+        The diagonal of P; of unrelated observations, 1.
+    settings : OutlierTestSettings
+    """
+    return divided(residuals, _roots(cofactors, weights, settings))
+
+
+def detectable_biases(
+    sigmas: np.ndarray, redundancy: np.ndarray, settings: OutlierTestSettings = OutlierTestSettings()
+) -> np.ndarray:
+    """Return the minimal detectable biases sigma delta0 / sqrt(r), nan where r is 0."""
+    return divided(sigmas * settings.noncentrality, _roots(redundancy, np.ones(1), settings))
+
+
+def _roots(cofactors: np.ndarray, weights: np.ndarray, settings: OutlierTestSettings) -> np.ndarray:
+    """Return the roots of the cofactors, 0 where they are only rounding error."""
+    controlled = cofactors > settings.least_redundancy * weights
+    return np.where(controlled, np.sqrt(np.abs(cofactors)), 0.0)
+
+
+def worst_target(
+    normalized: np.ndarray,
+    sigma0: float,
+    redundancy: float,
+    settings: OutlierTestSettings = OutlierTestSettings(),
+) -> Optional[int]:
+    """Return the row with the largest |w| if both tests suspect it, else None.
+
+    The tests are Baarda's, by the a priori standard deviations, and Pope's, by the a posteriori one, so that
+    an underestimated standard deviation causes no rejections.
+
+    Parameters
+    ----------
+    normalized : ndarray, shape (k, 3)
+        Baarda's w.
+    sigma0, redundancy : float
+        Of the scan.
+    settings : OutlierTestSettings
+    """
+    if redundancy <= 1:
+        return None
+    largest = np.nan_to_num(np.abs(normalized)).max(axis=1)
+    worst = int(largest.argmax())
+    limit = max(settings.critical_w, critical_tau(redundancy, settings) * sigma0)
+    return worst if largest[worst] > limit else None
+
+
+def spread_factor(test: GlobalTest, settings: OutlierTestSettings = OutlierTestSettings()) -> float:
+    """Return the sigma0 of the paper's eq. 5; 1 without redundancy."""
+    return test.sigma0 if test.redundancy >= settings.least_redundancy else 1.0
 
 
 def divided(values: np.ndarray, by: np.ndarray) -> np.ndarray:

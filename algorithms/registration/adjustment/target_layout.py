@@ -1,29 +1,19 @@
-"""What the layout of targets allows."""
+"""What the layout of targets determines: a pose, or only a pose that still rotates about a line."""
 
 import numpy as np
 
-from ..matching.control_points import factor_of
-from ..settings import Matching, Model, Settings
-
-FLAT = 1e-3
-"""Where the scale may be any, what is thinner than this share of its extent counts as a line."""
-
-
-def has_free_scale(settings: Settings) -> bool:
-    """Tell whether the scale may be any, not only near 1: if unknown, or if names say which is which."""
-    model = settings.model
-    return model is Model.UNKNOWN_SCALE or (settings.matching is Matching.NAMES and model.scaled)
+from ..settings import Model, Settings
 
 
 def line_width(targets: np.ndarray, settings: Settings) -> float:
-    """Return how far from a line targets may lie and still count as on it, in units of the scan."""
-    if has_free_scale(settings):
-        return FLAT * float(np.ptp(targets, axis=0).max(initial=0.0))
-    return factor_of(settings.tolerance, settings.sigma, settings.control_sigma) * settings.sigma
+    """Return the distance from a line within which targets count as on it, in units of the scan."""
+    if settings.free_scale:
+        return settings.adjustment.layout.flat_share * float(np.ptp(targets, axis=0).max(initial=0.0))
+    return settings.distance_factor * settings.sigma
 
 
 def spread(points: np.ndarray) -> np.ndarray:
-    """Return how far points lie from their best plane, line and middle at most: shape (3,), metres.
+    """Return the largest distances of points from their best plane, line and middle: shape (3,), metres.
 
     Parameters
     ----------
@@ -37,7 +27,7 @@ def spread(points: np.ndarray) -> np.ndarray:
 
 
 def fixes_pose(points: np.ndarray, model: Model, width: float) -> bool:
-    """Tell whether targets fix a pose: not within `width` of a line, or of a vertical line if levelled."""
+    """Return whether targets fix a pose: not within `width` of a line, or of a vertical line if levelled."""
     if len(points) < model.least_targets:
         return False
     if model.levelled:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 import fiona
 import numpy as np
@@ -14,6 +14,10 @@ from ...errors import InputError
 from ...reference_systems import parse_layer_wkt
 from .point_rows import ROLES, Rows
 
+Attributes = dict[str, Any]
+Feature = tuple[Optional[tuple[float, ...]], Attributes]
+"""Coordinates, None if they are not those of a single point, and attributes by field, None for null."""
+
 SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
 
 
@@ -23,10 +27,10 @@ def read_layer(path: Path, layer: Optional[str]) -> Rows:
     Raises
     ------
     InputError
-        If it is no such file, has several layers of points and `layer` names none of them, or its features
-        are not points with heights in metres.
+        If the file holds no such layers, if it has several layers of points and `layer` names none of
+        them, or if the features are not points with heights in metres.
     OSError
-        If the system does not let us read it.
+        If the system refuses to read it.
     """
     with _opened(path, layer) as features:
         return read_features(str(path), map(_point_and_attributes, features), features.crs_wkt)
@@ -38,7 +42,7 @@ def list_name(path: Path, layer: Optional[str]) -> str:
         return layer if layer and len(_point_layers(path)) > 1 else path.stem
 
 
-def read_features(source: str, features: Iterable, wkt: str) -> Rows:
+def read_features(source: str, features: Iterable[Feature], wkt: str) -> Rows:
     """Make rows of features; see `point_list.points_of_features`.
 
     Raises
@@ -46,10 +50,11 @@ def read_features(source: str, features: Iterable, wkt: str) -> Rows:
     InputError
         If they are not points with heights in metres.
     """
-    points, attributes = [], []
-    for place, (point, values) in enumerate(features, start=1):
+    points: list[tuple[float, ...]] = []
+    attributes: list[Attributes] = []
+    for number, (point, values) in enumerate(features, start=1):
         if point is None:
-            raise InputError(f"Feature {place} of {source} is not a single point; remove it or split it up.")
+            raise InputError(f"Feature {number} of {source} is not a single point; remove it or split it up.")
         points.append(point)
         attributes.append(values)
     if not points:
@@ -61,13 +66,13 @@ def read_features(source: str, features: Iterable, wkt: str) -> Rows:
             f"Feature {lost[0] + 1} of {source} has a coordinate that is not a number; correct or remove it."
         )
     names = _names(source, attributes)
-    places = tuple(f"feature {place}" for place in range(1, len(points) + 1))
+    places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
     return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source))
 
 
 @contextmanager
 def _opened(path: Path, layer: Optional[str]) -> Iterator[fiona.Collection]:
-    # Of a missing file GDAL says no more than that it is missing or no layer.
+    # GDAL does not distinguish a missing file from one that is not a layer.
     path.stat()
     with _gdal_errors_named(path), fiona.open(path, layer=_chosen(path, layer)) as features:
         yield features
@@ -94,7 +99,7 @@ def _point_layers(path: Path) -> list[str]:
     for name in fiona.listlayers(path):
         with fiona.open(path, layer=name) as features:
             kind = features.schema["geometry"]
-        # A text format only tells what it holds when it is read.
+        # The kind of a text format is unknown until it is read.
         if "Point" in kind or kind == "Unknown":
             layers.append(name)
     return layers
@@ -108,16 +113,16 @@ def _gdal_errors_named(path: Path) -> Iterator[None]:
         raise InputError(f"{path} cannot be read as a layer ({error}); save it again.") from error
 
 
-def _point_and_attributes(feature: fiona.Feature) -> tuple[Optional[tuple], dict]:
+def _point_and_attributes(feature: fiona.Feature) -> Feature:
     geometry = feature["geometry"]
     kind = geometry["type"] if geometry else None
-    coordinates = geometry["coordinates"] if geometry else ()
+    coordinates: tuple[Any, ...] = geometry["coordinates"] if geometry else ()
     if kind == "MultiPoint" and len(coordinates) == 1:
         kind, coordinates = "Point", coordinates[0]
     return coordinates if kind == "Point" else None, dict(feature["properties"])
 
 
-def _positions(source: str, points: list[tuple], attributes: list[dict]) -> np.ndarray:
+def _positions(source: str, points: list[tuple[float, ...]], attributes: list[Attributes]) -> np.ndarray:
     if all(len(point) == 3 for point in points):
         return np.array(points, dtype=np.float64)
     field = next(iter(_fields(attributes, "z")), None)
@@ -128,23 +133,23 @@ def _positions(source: str, points: list[tuple], attributes: list[dict]) -> np.n
     return np.array([[*point[:2], _number(values[field])] for point, values in zip(points, attributes)])
 
 
-def _number(value: object) -> float:
+def _number(value: Any) -> float:
     try:
         return float(value)
     except (TypeError, ValueError):
         return np.nan
 
 
-def _fields(attributes: list[dict], role: str) -> list[str]:
-    """Return the fields called like `role`, the most telling name first."""
-    found = {}
+def _fields(attributes: list[Attributes], role: str) -> list[str]:
+    """Return the fields with a name of a role, the most specific name first."""
+    found: dict[str, str] = {}
     for field in attributes[0]:
         found.setdefault(simplified(field), field)
     return [found[alias] for alias in ROLES[role] if alias in found]
 
 
-def _names(source: str, attributes: list[dict]) -> Optional[tuple[str, ...]]:
-    """Return the names of the points, None if there are none."""
+def _names(source: str, attributes: list[Attributes]) -> Optional[tuple[str, ...]]:
+    """Return the names of the points, None if no field has names."""
     columns = [[_text(values[field]) for values in attributes] for field in _fields(attributes, "name")]
     columns = [names for names in columns if any(names)]
     if not columns:

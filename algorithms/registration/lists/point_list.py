@@ -10,9 +10,10 @@ from rasterio.crs import CRS
 
 from ...clouds.source import unreadable
 from ...errors import InputError
-from .point_layer import SUFFIXES, list_name, read_features, read_layer
+from .point_layer import SUFFIXES, Feature, list_name, read_features, read_layer
 from .point_rows import Rows
 from .point_text import read_text
+from .settings import ListSettings
 
 
 @dataclass(frozen=True)
@@ -30,11 +31,11 @@ class PointList:
     named : bool
         Whether the names are the file's own.
     crs : CRS or None
-        That the file names.
+        That of the file.
     warnings : tuple of str
         What the user should know about the file, in sentences.
     path : Path or None
-        The file it was read from, if it is one.
+        The file it was read from, if any.
     """
 
     name: str
@@ -46,7 +47,9 @@ class PointList:
     path: Optional[Path] = None
 
 
-def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> PointList:
+def read_point_list(
+    path: Union[str, Path], layer: Optional[str] = None, settings: ListSettings = ListSettings()
+) -> PointList:
     """Read a list of points from a text file or a vector layer, by extension.
 
     Parameters
@@ -56,17 +59,19 @@ def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> Poin
         the columns x y z or name x y z, or with a header.
     layer : str, optional
         Which layer of a GeoPackage.
+    settings : ListSettings
+        Of text files.
 
     Raises
     ------
     InputError
         If the file cannot be read, holds no points or can be read in more than one way, if its coordinates
-        are not metres, or if a name stands for two points.
+        are not metres, or if two points have the same name.
     """
     path = Path(path)
     try:
         is_layer = path.suffix.lower() in SUFFIXES
-        rows = read_layer(path, layer) if is_layer else read_text(path)
+        rows = read_layer(path, layer) if is_layer else read_text(path, settings)
         name = list_name(path, layer) if is_layer else path.stem
     except OSError as error:
         raise unreadable(path, error) from error
@@ -74,7 +79,7 @@ def read_point_list(path: Union[str, Path], layer: Optional[str] = None) -> Poin
 
 
 def points_of_features(
-    name: str, source: str, features: Iterable, wkt: str, path: Optional[Path] = None
+    name: str, source: str, features: Iterable[Feature], wkt: str, path: Optional[Path] = None
 ) -> PointList:
     """Make a list of the features of a layer that a program has open.
 
@@ -85,10 +90,10 @@ def points_of_features(
     source : str
         What messages call the layer.
     features : iterable of (tuple of float or None, dict)
-        For each feature its coordinates, two or three, None if it is no single point; and its attributes
-        by field, None for null.
+        For each feature its coordinates, two or three, None if it is not a single point; and its
+        attributes by field, None for null.
     wkt : str
-        The coordinate reference system; empty if there is none.
+        The coordinate reference system; empty if unknown.
     path : Path, optional
         The file of the layer.
 
@@ -115,7 +120,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
 
 
 def _distinct(rows: Rows) -> tuple[list[int], tuple[str, ...]]:
-    """Return the rows to keep, and a warning if a point stands more than once."""
+    """Return the rows to keep, and a warning if a point is listed more than once."""
     if rows.names is None:
         return list(range(len(rows.xyz))), ()
     seen: dict[str, int] = {}
@@ -124,7 +129,7 @@ def _distinct(rows: Rows) -> tuple[list[int], tuple[str, ...]]:
         first = seen.setdefault(name, row)
         if not np.array_equal(rows.xyz[first], rows.xyz[row]):
             raise InputError(
-                f"The name {name} stands for two points of {rows.source}, in {rows.places[first]} and "
+                f"Two points of {rows.source} are called {name}, in {rows.places[first]} and "
                 f"{rows.places[row]}; rename or remove one of them."
             )
         if first != row:

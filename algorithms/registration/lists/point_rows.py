@@ -1,4 +1,4 @@
-"""The rows of a list of points as they stand in a file, before their names are judged."""
+"""The rows of a list of points as they are written in a file, before their names are checked."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -29,9 +29,9 @@ class Rows:
     source : str
         The file or layer, for messages.
     places : tuple of str
-        Where each point stands, as 'line 7'.
+        Where each point is written, as 'line 7'.
     names : tuple of str, or None
-        None if there are none.
+        None if the file has no names.
     xyz : ndarray of float64, shape (n, 3)
         Metres, finite.
     crs : CRS or None

@@ -20,8 +20,8 @@ from ...clouds.formats.text_dialect import (
 from ...clouds.formats.text_header import read_preamble
 from ...errors import InputError
 from .point_rows import ROLES, Rows
+from .settings import ListSettings
 
-LARGEST = 2**20  # bytes
 OTHER_UNIT = re.compile(r"[\[(](mm|cm|dm|km|in|ft|us-?ft|feet)[\])]", re.IGNORECASE)
 DELIMITERS = (";", "\t", ",", " ")
 REMEDY = "name the columns in a first line, as 'name x y z' or 'x y z intensity'."
@@ -29,13 +29,12 @@ REMEDY = "name the columns in a first line, as 'name x y z' or 'x y z intensity'
 
 @dataclass(frozen=True)
 class ListColumns:
-    """Where the values stand; columns count from 0.
+    """The columns of the values, counted from 0.
 
     Attributes
     ----------
     name : tuple of int
-        Several where blanks separate columns and stand in names too, as in 'Point #0'; empty if there are
-        no names.
+        Several if blanks separate columns and occur in names too, as in 'Point #0'; empty without names.
     xyz : tuple of 3 int
     """
 
@@ -48,17 +47,17 @@ class ListColumns:
         return (*self.name, *self.xyz)
 
 
-def read_text(path: Path) -> Rows:
+def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     """Read a list of points from a text file.
 
     Raises
     ------
     InputError
-        If the file is not a list of points, has a line that is none, or can be read in more than one way.
+        If the file is not a list of points, has a line that is not a point, or can be read in several ways.
     OSError
-        If the system does not let us read it.
+        If the system refuses to read it.
     """
-    lines = _lines(path)
+    lines = _lines(path, settings)
     delimiter, width = delimiter_and_width(path, lines)
     points = [not _is_remark(line, delimiter, width) and _numbers(line, delimiter) >= 3 for line in lines]
     first = points.index(True)
@@ -69,7 +68,7 @@ def read_text(path: Path) -> Rows:
         number: split(line, delimiter) for number, line in numbered if not _is_remark(line, delimiter, width)
     }
     regular = [row for row in rows.values() if len(row) == width]
-    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter)
+    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter, settings)
     _refuse_other_units(path, [split(line, delimiter) for line in lines[:first]], columns)
     coordinates = [[row[column] for column in columns.xyz] for row in regular]
     dialect = Dialect(delimiter, decimal_sign(path, coordinates, delimiter, header), width)
@@ -83,9 +82,9 @@ def read_text(path: Path) -> Rows:
     )
 
 
-def _lines(path: Path) -> list[str]:
+def _lines(path: Path, settings: ListSettings) -> list[str]:
     size = path.stat().st_size
-    if size > LARGEST:
+    if size > settings.most_bytes:
         raise InputError(
             f"{path} is too large for a list of points ({size / 2**20:.0f} MB); choose the list, not a cloud."
         )
@@ -96,14 +95,14 @@ def _lines(path: Path) -> list[str]:
     try:
         text = content.decode(encoding)
     except UnicodeDecodeError:
-        # Every byte is a letter there, so that different names stay different.
+        # Latin-1 has a letter for every byte, so that different names remain different.
         text = content.decode("latin-1")
     return list(io.StringIO(text, newline=None))
 
 
 def _is_remark(line: str, delimiter: str, width: int) -> bool:
     fields = split(line, delimiter)
-    # After a semicolon stands a remark, or a point whose name is missing.
+    # A semicolon starts a remark, or a point whose name is missing.
     nameless = len(fields) == width and fields[:1] == [""] and _numbers(line, delimiter) >= 3
     return is_comment(line) and not nameless
 
@@ -113,7 +112,7 @@ def _numbers(line: str, delimiter: str) -> int:
 
 
 def _refuse_lost_points(path: Path, preamble: list[str]) -> None:
-    """Refuse a point, cut off or separated otherwise, that would pass for a title."""
+    """Refuse a point, cut off or with another delimiter, that would be taken for a title."""
     for number, line in enumerate(preamble, start=1):
         if not is_comment(line) and any(_numbers(line, delimiter) > 1 for delimiter in DELIMITERS):
             raise InputError(
@@ -135,13 +134,15 @@ def _refuse_other_units(path: Path, preamble: list[list[str]], columns: ListColu
             raise InputError(f"The header of {path} gives coordinates in {unit}; convert them to metres.")
 
 
-def _columns_by_content(path: Path, rows: list[list[str]], delimiter: str) -> ListColumns:
-    """Tell names and coordinates apart by what `rows`, of one width, look like."""
+def _columns_by_content(
+    path: Path, rows: list[list[str]], delimiter: str, settings: ListSettings
+) -> ListColumns:
+    """Distinguish names from coordinates by the content of `rows`, which have one width."""
     # Six whole numbers between commas may be three with decimal commas; fewer cannot.
     if delimiter == "," and len(rows[0]) > 5:
         decimal_sign(path, rows, delimiter, {})
     shares = np.mean([[bool(NUMBER.fullmatch(field)) for field in row] for row in rows], axis=0)
-    numeric = np.flatnonzero(shares >= 0.5).tolist()
+    numeric = np.flatnonzero(shares >= settings.least_numeric_share).tolist()
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as name x y z.")
     name = list(range(numeric[0]))
@@ -157,7 +158,7 @@ def _columns_by_content(path: Path, rows: list[list[str]], delimiter: str) -> Li
 
 
 def _are_names(path: Path, rows: list[list[str]], numeric: list[int]) -> bool:
-    """Tell whether the first of four or more columns of numbers holds names, not coordinates."""
+    """Return whether the first of four or more columns of numbers holds names, not coordinates."""
     labels = _column(rows, numeric[0])
     numbers = [label for label in labels if NUMBER.fullmatch(label)]
     whole = [label for label in numbers if label.isdecimal()]
@@ -167,7 +168,7 @@ def _are_names(path: Path, rows: list[list[str]], numeric: list[int]) -> bool:
         fractional = all(_have_decimals(rows, column) for column in numeric[1:4])
         if some_are_words or padded or fractional or _count_up(labels):
             return True
-    # Some programs write 5 for 5.0, but they do so in the third coordinate as well.
+    # Some programs write 5 for 5.0, but then in the third coordinate as well.
     elif not some_are_words and (not whole or not _have_decimals(rows, numeric[3])):
         return False
     raise InputError(f"The first column of {path} can be names or coordinates; {REMEDY}")
@@ -191,7 +192,7 @@ def _have_decimals(rows: list[list[str]], column: int) -> bool:
 
 
 def _count_up(labels: list[str]) -> bool:
-    """Tell whether labels count the rows, from 0 or 1."""
+    """Return whether labels count the rows, from 0 or 1."""
     counts = [[str(row + start) for row in range(len(labels))] for start in (0, 1)]
     return len(labels) > 2 and labels in counts
 

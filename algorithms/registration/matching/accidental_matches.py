@@ -1,4 +1,4 @@
-"""How many matches as good as the one that was found are expected by accident."""
+"""The number of accidental matches that are expected to be as good as the one that was found."""
 
 from math import lgamma, log, pi
 
@@ -6,16 +6,11 @@ import numpy as np
 from scipy.spatial.distance import pdist
 
 from ..settings import Model
-from .control_points import Site
-
-ACCEPTED, ACCEPTED_OF_ALL = 1e-4, 1e-3
-"""A match is refused if more accidental ones are expected; the second holds if no target is left over."""
-
-WINDOW = 0.1
-"""How far around a distance others are counted, over the longest distance."""
+from .control_points import ControlPoints
+from .settings import AccidentSettings
 
 
-class Chance:
+class AccidentalMatches:
     """Expected numbers of accidental matches of targets with control points.
 
     Among C(n, k) N! / (N - k)! ways to lay k of n targets on N points, each redundant coordinate agrees by
@@ -24,29 +19,40 @@ class Chance:
 
     Parameters
     ----------
-    site : Site
+    control : ControlPoints
     targets : ndarray, shape (n, 3)
     model : Model
     free_scale : bool
         Whether the scale may be any.
+    settings : AccidentSettings
     """
 
-    def __init__(self, site: Site, targets: np.ndarray, model: Model, free_scale: bool) -> None:
-        self._site, self._targets, self._levelled = site, targets, model.levelled
+    def __init__(
+        self,
+        control: ControlPoints,
+        targets: np.ndarray,
+        model: Model,
+        free_scale: bool = False,
+        settings: AccidentSettings = AccidentSettings(),
+    ) -> None:
+        self._settings = settings
+        self._control, self._targets, self._levelled = control, targets, model.levelled
         self._given = (4 if model.levelled else 6) + free_scale
-        # Where the scale may be any, only ratios tell, as if the targets were points of the site.
-        self._distance = self._agreement(pdist(site.points), pdist(site.points if free_scale else targets))
+        # Where the scale may be any, only ratios count, as if the targets were among the control points.
+        self._distance = self._agreement(
+            pdist(control.points), pdist(control.points if free_scale else targets)
+        )
         self._height = 1.0
         if model.levelled:
-            self._height = self._agreement(pdist(site.points[:, 2:]), pdist(targets[:, 2:]))
+            self._height = self._agreement(pdist(control.points[:, 2:]), pdist(targets[:, 2:]))
 
     def _agreement(self, of_points: np.ndarray, of_targets: np.ndarray) -> float:
         """Return the probability that a distance of targets agrees with one of points."""
         if not len(of_points) or not len(of_targets):
             return 1.0
         lengths = np.sort(of_points)
-        limit = float(np.median(self._site.limits)) + self._site.drift * float(lengths.mean())
-        window = max(limit, WINDOW * float(lengths[-1]))
+        limit = float(np.median(self._control.limits)) + self._control.scale_error * float(lengths.mean())
+        window = max(limit, self._settings.window_share * float(lengths[-1]))
         near = np.searchsorted(lengths, of_targets + window) - np.searchsorted(lengths, of_targets - window)
         smooth = float(np.mean(near + 0.5)) / (len(lengths) + 1) * limit / window
         return min(smooth, 1.0)
@@ -60,9 +66,9 @@ class Chance:
         ----------
         points : ndarray of int, shape (k,)
         """
-        lengths = np.sort(pdist(self._site.points))
-        limit = float(np.median(self._site.limits))
-        asked = pdist(self._site.points[points])
+        lengths = np.sort(pdist(self._control.points))
+        limit = float(np.median(self._control.limits))
+        asked = pdist(self._control.points[points])
         near = np.searchsorted(lengths, asked + limit) - np.searchsorted(lengths, asked - limit)
         return float(np.mean(np.maximum(near - 1, 0))) / len(lengths)
 
@@ -79,29 +85,30 @@ class Chance:
             Of the distances between the matched points.
         """
         distance = max(self._distance, repetition)
-        n, points, redundancy = len(self._targets), len(self._site.points), 3 * matched - self._given
+        n, points, redundancy = len(self._targets), len(self._control.points), 3 * matched - self._given
         ways = lgamma(n + 1) - lgamma(matched + 1) - lgamma(n - matched + 1)
         ways += lgamma(points + 1) - lgamma(points - matched + 1)
         rarity = redundancy * log(distance)
         if self._levelled:
             rarity += log(self._height / distance)
-        radius = max(misfit, 1e-12) ** 0.5 / (2 * self._site.factor)
+        radius = max(misfit, 1e-12) ** 0.5 / (2 * self._control.factor)
         volume = redundancy / 2 * log(pi) + redundancy * log(radius) - lgamma(redundancy / 2 + 1)
         return float(np.exp(min(ways + rarity + min(volume, 0.0), 700.0)))
 
-    def explains(self, matched: int, misfit: float, repetition: float = 0.0) -> bool:
-        """Tell whether a match of `matched` targets may be accidental."""
-        accepted = ACCEPTED_OF_ALL if matched == len(self._targets) else ACCEPTED
-        return self.expected(matched, misfit, repetition) > accepted
+    def may_explain(self, matched: int, misfit: float, repetition: float = 0.0) -> bool:
+        """Return whether a match of `matched` targets may be accidental."""
+        of_all = matched == len(self._targets)
+        most = self._settings.most_expected_of_all if of_all else self._settings.most_expected
+        return self.expected(matched, misfit, repetition) > most
 
     def least(self, smallest: int) -> int:
-        """Return the smallest number of targets, from `smallest`, that no accident explains.
+        """Return the smallest number of targets, from `smallest`, whose match cannot be accidental.
 
-        One more than there are targets or points if there is none.
+        If every number is too small, return one more than there are targets or points.
         """
-        most = min(len(self._targets), len(self._site.points))
+        most = min(len(self._targets), len(self._control.points))
         for matched in range(smallest, most + 1):
             redundancy = 3 * matched - self._given
-            if redundancy > 0 and not self.explains(matched, redundancy):
+            if redundancy > 0 and not self.may_explain(matched, redundancy):
                 return matched
         return most + 1

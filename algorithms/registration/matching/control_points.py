@@ -1,30 +1,18 @@
-"""The control points as the search for matches knows them."""
+"""The control points as matching needs them: distances, and how far they may differ."""
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Optional
 
 import numpy as np
 from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 
-FACTOR = 3.5
-"""Distances match if they differ by less than this many standard deviations of their difference.
-
-The paper takes 2 standard deviations of a coordinate, which is 1.4 of a difference: it would lose one true
-pair in six."""
-
-GATE = 1.45
-"""How much wider the limit of a place, with its three coordinates, is than that of a distance.
-
-So far beyond 3.5 standard deviations lies one true target in 100 000 (chi-square, 3 degrees of freedom)."""
-
-DRIFT = 600e-6
-"""Largest scale error, for models that have a scale near 1: more than the usual projections have."""
+from ..adjustment.control_network import ControlNetwork
+from ..settings import Settings
 
 
 @dataclass(frozen=True)
-class Site:
+class ControlPoints:
     """Control points that a scan is matched with.
 
     Attributes
@@ -37,7 +25,9 @@ class Site:
         Standard deviation of a target's coordinate, metres.
     factor : float
         Distances match within this many standard deviations.
-    drift : float
+    position_factor : float
+        How much wider the limit of a position is than that of a distance.
+    scale_error : float
         Relative scale error that is allowed for.
     """
 
@@ -45,11 +35,26 @@ class Site:
     variances: np.ndarray
     sigma: float
     factor: float
-    drift: float = 0.0
+    position_factor: float
+    scale_error: float = 0.0
+
+    @classmethod
+    def of_network(
+        cls, network: ControlNetwork, settings: Settings, scale_error: float = 0.0
+    ) -> "ControlPoints":
+        """Return the points of a network, with the limits that the settings ask for."""
+        return cls(
+            network.points,
+            network.distance_variances(),
+            settings.sigma,
+            settings.distance_factor,
+            settings.matches.tolerances.position_factor,
+            scale_error,
+        )
 
     @cached_property
     def tree(self) -> cKDTree:
-        """The points, to be asked for the nearest."""
+        """The points, for queries of the nearest."""
         return cKDTree(self.points)
 
     @cached_property
@@ -59,11 +64,11 @@ class Site:
 
     @cached_property
     def limits(self) -> np.ndarray:
-        """How far distances of targets may differ from those of points, eps_t of the paper; shape (N, N)."""
+        """Largest differences of distances that match, eps_t of the paper; shape (N, N)."""
         return self.factor * np.sqrt(2 * self.sigma**2 + self.variances)
 
     def reach(self, leverage: np.ndarray, partners: np.ndarray) -> np.ndarray:
-        """Return how far from a control point its target may come to lie.
+        """Return the largest distance between a control point and its transformed target.
 
         Parameters
         ----------
@@ -76,15 +81,8 @@ class Site:
         -------
         ndarray, shape (..., n)
         """
-        # Points appended from one scan share its error, which the pose takes up: what counts is how
-        # uncertain they are to each other.
+        # The pose absorbs the error that points appended from one scan share; only their relative
+        # uncertainty counts.
         spread = self.variances[partners].max(axis=(-2, -1)) if self.variances.any() else 0.0
         variance = self.sigma**2 + np.asarray(spread) / 2
-        return GATE * self.factor * np.sqrt(variance[..., None] * (1.0 + leverage))
-
-
-def factor_of(tolerance: Optional[float], sigma: float, control_sigma: float) -> float:
-    """Return how many standard deviations of a difference of distances the tolerance is."""
-    if tolerance is None:
-        return FACTOR
-    return tolerance / float(np.sqrt(2 * sigma**2 + 2 * control_sigma**2))
+        return self.position_factor * self.factor * np.sqrt(variance[..., None] * (1.0 + leverage))

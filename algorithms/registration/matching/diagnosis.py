@@ -1,77 +1,72 @@
-"""Why the targets of a scan match nothing: the mistakes that surveyors know, tried one by one."""
+"""Why the targets of a scan match nothing: usual mistakes of surveys, tried one by one."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Optional
+from typing import Optional
 
 import numpy as np
 
 from ..settings import Model
-from .control_points import DRIFT
-
-if TYPE_CHECKING:
-    from .scan_matching import Question
+from .matching_task import MatchingTask
+from .solution import Solution
 
 LENGTHS = {"millimetres": 0.001, "centimetres": 0.01, "feet": 0.3048, "inches": 0.0254, "kilometres": 1000.0}
 MIRRORS = (np.array([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), np.diag([1, 1, -1]))
-"""x and y swapped, and upside down; a scan that may take any pose needs only one of them."""
-
-CONVINCING = 4
-"""Three targets fit their mirror image too."""
+"""x and y swapped, and upside down; without a level either one stands for all mirror images."""
 
 
-def explain_failure(question: "Question", least: int) -> tuple[str, str]:
+def explain_failure(task: MatchingTask, least: int) -> tuple[str, str]:
     """Return the status and the reason of a scan without a solution of `least` targets."""
-    enough = max(least, CONVINCING)
+    enough = max(least, task.settings.matches.diagnosis.least_targets)
     explained = (
-        mirrored_solution(question, enough)
-        or _other_unit(question, enough)
-        or _not_levelled(question, enough)
-        or _scaled(question, enough)
-        or _misnamed(question, enough)
+        mirrored_solution(task, enough)
+        or _other_unit(task, enough)
+        or _not_levelled(task, enough)
+        or _scaled(task, enough)
+        or _misnamed(task, enough)
     )
-    return explained or _nothing(question, least)
+    return explained or _nothing(task, least)
 
 
-def mirrored_solution(question: "Question", least: int) -> Optional[tuple[str, str]]:
+def mirrored_solution(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
     """Return status and reason if the mirror image of the list has a solution of `least` targets."""
-    scan, model = question.scan, question.settings.model
+    scan, model = task.scan, task.settings.model
+    least = max(least, task.settings.matches.diagnosis.least_targets)
     for mirror in MIRRORS[: 2 if model.levelled else 1]:
-        solutions = question.solutions(scan.xyz @ mirror, model, max(least, CONVINCING))
+        solutions = task.solutions(scan.xyz @ mirror, model, least)
         if solutions:
             return (
                 "mirrored",
-                f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit the control "
-                "points as in a "
-                "mirror: in one of the two lists x and y are swapped, or an axis points the other way.",
+                f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit the mirror "
+                "image of the control points: in one of the two lists x and y are swapped, or an axis is "
+                "reversed.",
             )
     return None
 
 
-def _other_unit(question: "Question", least: int) -> Optional[tuple[str, str]]:
-    if question.free_scale:
+def _other_unit(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    if task.free_scale:
         return None
-    scan, site, model = question.scan, question.site, question.settings.model
+    scan, points, model = task.scan, task.control, task.settings.model
     for unit, metres in LENGTHS.items():
         for what, targets, control in (
-            (scan.name, scan.xyz * metres, site),
-            ("the control list", scan.xyz, replace(site, points=site.points * metres)),
+            (scan.name, scan.xyz * metres, points),
+            ("the control list", scan.xyz, replace(points, points=points.points * metres)),
         ):
-            solutions = question.solutions(targets, model, least, control)
+            solutions = task.solutions(targets, model, least, control)
             if solutions:
                 return (
                     "units",
                     f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit if the "
-                    "coordinates of "
-                    f"{what} are {unit}; convert them to metres.",
+                    f"coordinates of {what} are in {unit}; convert them to metres.",
                 )
     return None
 
 
-def _not_levelled(question: "Question", least: int) -> Optional[tuple[str, str]]:
-    scan, model = question.scan, question.settings.model
-    if not model.levelled or question.free_scale:
+def _not_levelled(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    scan, model = task.scan, task.settings.model
+    if not model.levelled or task.free_scale:
         return None
-    solutions = question.solutions(scan.xyz, Model.RIGID, least)
+    solutions = task.solutions(scan.xyz, Model.RIGID, least)
     if not solutions:
         return None
     tilt = float(np.degrees(np.arccos(np.clip(solutions[0].pose.rotation[2, 2], -1.0, 1.0))))
@@ -83,29 +78,29 @@ def _not_levelled(question: "Question", least: int) -> Optional[tuple[str, str]]
     )
 
 
-def _scaled(question: "Question", least: int) -> Optional[tuple[str, str]]:
-    scan, model = question.scan, question.settings.model
+def _scaled(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    scan, model = task.scan, task.settings.model
     if model.scaled:
         return None
     model = Model.LEVELLED_SCALE if model.levelled else Model.SIMILARITY
-    solutions = question.solutions(scan.xyz, model, least, replace(question.site, drift=DRIFT))
+    control = replace(task.control, scale_error=task.settings.matches.tolerances.scale_error)
+    solutions = task.solutions(scan.xyz, model, least, control)
     if not solutions:
         return None
     return (
         "scale",
         f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit with a scale error of "
-        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, as grid coordinates have that are not "
-        "reduced for the "
-        "projection; choose a model with scale.",
+        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, which suggests grid coordinates "
+        "that are not reduced for the projection; choose a model with scale.",
     )
 
 
-def _misnamed(question: "Question", least: int) -> Optional[tuple[str, str]]:
-    if not question.named or question.free_scale:
+def _misnamed(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    if not task.named or task.free_scale:
         return None
-    scan = question.scan
-    anything = replace(question, allowed=np.ones_like(question.allowed))
-    solutions = anything.solutions(scan.xyz, question.settings.model, least)
+    scan = task.scan
+    anything = replace(task, allowed=np.ones_like(task.allowed))
+    solutions = anything.solutions(scan.xyz, task.settings.model, least)
     if not solutions:
         return None
     return (
@@ -115,20 +110,31 @@ def _misnamed(question: "Question", least: int) -> Optional[tuple[str, str]]:
     )
 
 
-def _nothing(question: "Question", least: int) -> tuple[str, str]:
-    scan = question.scan
-    limit = f"{1000 * float(np.median(question.site.limits)):.0f} mm"
-    if question.named:
+def _nothing(task: MatchingTask, least: int) -> tuple[str, str]:
+    scan = task.scan
+    limit = f"{1000 * float(np.median(task.control.limits)):.0f} mm"
+    if task.named:
         return (
             "misfit",
-            f"The targets of {scan.name} do not fit the control points of their names: no {least} of them "
-            "agree "
-            f"within {limit} in their distances; correct the names, or raise SIGMA or TOLERANCE.",
+            f"The targets of {scan.name} do not fit the control points of their names: fewer than "
+            f"{least} of them agree within {limit} in their distances; correct the names, or raise SIGMA or "
+            "TOLERANCE.",
         )
     return (
         "no overlap",
-        f"No {least} of {len(scan.names)} targets of {scan.name} have the distances of control points "
-        f"within {limit} "
-        "(fewer would match by accident); check that the list belongs to this site, pick more targets, or "
-        "raise SIGMA or TOLERANCE.",
+        f"Fewer than {least} of {len(scan.names)} targets of {scan.name} have the distances of control "
+        f"points within {limit}, and so few may match by accident; check that the list belongs to this site, "
+        "pick more targets, or raise SIGMA or TOLERANCE.",
+    )
+
+
+def accidental(task: MatchingTask, best: Solution, expected: float) -> tuple[str, str]:
+    """Return status and reason of a scan whose match may be accidental; a mistake may explain more."""
+    status, reason = explain_failure(task, best.matched)
+    if status in ("mirrored", "units", "tilted", "scale"):
+        return status, reason
+    return (
+        "chance",
+        f"{best.matched} of {len(task.scan.names)} targets of {task.scan.name} match, but "
+        f"{expected:.2g} accidental matches of as many are expected; pick more targets, or match by names.",
     )

@@ -1,7 +1,7 @@
 """The matching matrix M: which pairs of targets have the distance of which pairs of control points.
 
-A node is a target with a control point that it may be, numbered target * N + point. Two nodes are joined
-where the distance of their targets agrees with that of their points.
+A node is a possible match, a target with a control point, numbered target * N + point. An edge joins two
+nodes if the distance of their targets agrees with that of their points.
 """
 
 from dataclasses import dataclass
@@ -10,11 +10,11 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from ..settings import Model
-from .control_points import Site
+from .control_points import ControlPoints
 
 
 @dataclass(frozen=True)
-class Candidates:
+class MatchingMatrix:
     """The matching matrix as a graph; its edges lead from an earlier target to a later one.
 
     Attributes
@@ -30,22 +30,24 @@ class Candidates:
     ends: np.ndarray
 
 
-def find_candidates(site: Site, targets: np.ndarray, allowed: np.ndarray, levelled: bool) -> Candidates:
+def matching_matrix(
+    control: ControlPoints, targets: np.ndarray, allowed: np.ndarray, levelled: bool
+) -> MatchingMatrix:
     """Return the matching matrix of the targets, in their order.
 
     Parameters
     ----------
-    site : Site
+    control : ControlPoints
     targets : ndarray, shape (n, 3)
     allowed : ndarray of bool, shape (n, N)
-        Which points a target may be.
+        Points with which a target may match.
     levelled : bool
         Whether heights must agree as well.
     """
-    count = len(site.points)
+    count = len(control.points)
     low, high = np.triu_indices(count, 1)
-    lengths, limits = site.distances[low, high], site.limits[low, high]
-    limits = limits + site.drift * lengths
+    lengths, limits = control.distances[low, high], control.limits[low, high]
+    limits = limits + control.scale_error * lengths
     order = np.argsort(lengths, kind="stable")
     low, high, lengths, limits = low[order], high[order], lengths[order], limits[order]
     first, second = np.triu_indices(len(targets), 1)
@@ -62,21 +64,21 @@ def find_candidates(site: Site, targets: np.ndarray, allowed: np.ndarray, levell
     for a, c in ((low[found], high[found]), (high[found], low[found])):
         keep = allowed[i, a] & allowed[j, c]
         if levelled:
-            rise = (targets[j, 2] - targets[i, 2]) - (site.points[c, 2] - site.points[a, 2])
+            rise = (targets[j, 2] - targets[i, 2]) - (control.points[c, 2] - control.points[a, 2])
             keep &= np.abs(rise) <= limits[found]
         starts.append(i[keep] * count + a[keep])
         ends.append(j[keep] * count + c[keep])
     starts, ends = np.concatenate(starts), np.concatenate(ends)
     order = np.lexsort([ends, starts])
-    return Candidates(count, starts[order], ends[order])
+    return MatchingMatrix(count, starts[order], ends[order])
 
 
-def pruned(candidates: Candidates, targets: int, least: int) -> Candidates:
+def pruned(matrix: MatchingMatrix, targets: int, least: int) -> MatchingMatrix:
     """Return the graph without nodes that cannot belong to a solution of `least` targets.
 
-    Such a node agrees with all others but one, for one distance may be off by more than its limit.
+    A node of such a solution agrees with all others but one, because one distance may exceed its limit.
     """
-    count, starts, ends = candidates.count, candidates.starts, candidates.ends
+    count, starts, ends = matrix.count, matrix.starts, matrix.ends
     enough = max(least - 2, 1)
     while len(starts):
         # Once for each other target, however many of its points agree.
@@ -88,25 +90,25 @@ def pruned(candidates: Candidates, targets: int, least: int) -> Candidates:
         if keep.all():
             break
         starts, ends = starts[keep], ends[keep]
-    return Candidates(count, starts, ends)
+    return MatchingMatrix(count, starts, ends)
 
 
-def seeds(candidates: Candidates, last: int, model: Model) -> np.ndarray:
-    """Return the smallest sets of nodes that fix a pose and whose last target is `last`.
+def seeds(matrix: MatchingMatrix, last: int, model: Model) -> np.ndarray:
+    """Return the smallest sets of nodes that fix a pose, and whose last target is `last`.
 
     Returns
     -------
     ndarray of int64, shape (s, 2) if levelled, else (s, 3)
     """
-    count = candidates.count
-    of_last = candidates.ends // count == last
-    starts, ends = candidates.starts[of_last], candidates.ends[of_last]
+    count = matrix.count
+    of_last = matrix.ends // count == last
+    starts, ends = matrix.starts[of_last], matrix.ends[of_last]
     if model.levelled:
         return np.column_stack([starts, ends])
-    return _triangles(candidates, starts, ends)
+    return _triangles(matrix, starts, ends)
 
 
-def _triangles(candidates: Candidates, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def _triangles(matrix: MatchingMatrix, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
     """Return the triangles that close over two of the given edges with the same end."""
     order = np.lexsort([starts, ends])
     starts, ends = starts[order], ends[order]
@@ -115,9 +117,9 @@ def _triangles(candidates: Candidates, starts: np.ndarray, ends: np.ndarray) -> 
     one = np.repeat(np.arange(len(ends)), after)
     other = np.arange(len(one)) - np.repeat(np.cumsum(after) - after, after) + one + 1
     u, v, w = starts[one], starts[other], ends[one]
-    nodes = int(max(candidates.ends.max(initial=0), candidates.starts.max(initial=0))) + 1
-    edges = candidates.starts * nodes + candidates.ends
+    nodes = int(max(matrix.ends.max(initial=0), matrix.starts.max(initial=0))) + 1
+    edges = matrix.starts * nodes + matrix.ends
     keys = u * nodes + v
-    place = np.minimum(np.searchsorted(edges, keys), max(len(edges) - 1, 0))
-    closed = edges[place] == keys if len(edges) else np.zeros(0, bool)
+    position = np.minimum(np.searchsorted(edges, keys), max(len(edges) - 1, 0))
+    closed = edges[position] == keys if len(edges) else np.zeros(0, bool)
     return np.column_stack([u, v, w])[closed]

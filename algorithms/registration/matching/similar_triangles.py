@@ -5,39 +5,37 @@ from itertools import permutations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from .control_points import Site
-
-MOST_POINTS = 300
-"""More control points have more triangles than memory holds."""
+from .control_points import ControlPoints
+from .settings import TriangleSettings
 
 
 class SimilarTriangles:
-    """The triangles of the control points, to be asked for those of the shape of three targets.
+    """The triangles of the control points, for queries of those with the shape of three targets.
 
     Parameters
     ----------
-    site : Site
+    control : ControlPoints
+    settings : TriangleSettings
     """
 
-    def __init__(self, site: Site) -> None:
-        limit = float(site.limits.max())
-        corners = np.array(np.meshgrid(*[np.arange(len(site.points))] * 3, indexing="ij")).reshape(3, -1).T
+    def __init__(self, control: ControlPoints, settings: TriangleSettings = TriangleSettings()) -> None:
+        limit = float(control.limits.max())
+        corners = np.array(np.meshgrid(*[np.arange(len(control.points))] * 3, indexing="ij")).reshape(3, -1).T
         corners = corners[(corners[:, 0] < corners[:, 1]) & (corners[:, 1] < corners[:, 2])]
-        sides = _sides(site.points[corners])
+        sides = _sides(control.points[corners])
         order = np.argsort(sides, axis=1)
         self._corners = np.take_along_axis(corners, order, axis=1)
         sides = np.take_along_axis(sides, order, axis=1)
         ratios = sides[:, :2] / np.maximum(sides[:, 2:], limit)
-        # The longer a triangle, the better its shape is known: one tree for each doubling.
+        # The shape of a long triangle is known better than that of a short one: one tree for each doubling.
         octaves = np.floor(np.log2(np.maximum(sides[:, 2], limit) / limit)).astype(int)
-        self._trees = [
-            (np.flatnonzero(octaves == octave), 2.0 ** (1 - octave))
-            for octave in np.unique(octaves[octaves >= 3])
-        ]
-        self._trees = [(rows, cKDTree(ratios[rows]), radius) for rows, radius in self._trees]
+        self._trees = []
+        for octave in np.unique(octaves[octaves >= settings.least_octave]):
+            rows = np.flatnonzero(octaves == octave)
+            self._trees.append((rows, cKDTree(ratios[rows]), 2.0 ** (1 - octave)))
 
     def seeds(self, targets: np.ndarray, last: int, count: int) -> np.ndarray:
-        """Return sets of three nodes, shape (s, 3), whose last target is `last`; see `candidates.seeds`."""
+        """Return sets of three nodes, shape (s, 3), that end with `last`, as `matching_matrix.seeds` does."""
         first, second = np.triu_indices(last, 1)
         triples = np.column_stack([first, second, np.full(len(first), last)])
         found = [np.empty((0, 3), np.int64)]
@@ -46,7 +44,7 @@ class SimilarTriangles:
             sides = _sides(targets[corners])
             ratios = sides[:, :2] / np.maximum(sides[:, 2:], np.finfo(float).tiny)
             for rows, tree, radius in self._trees:
-                # Equal sides may change places within their uncertainty.
+                # Sides whose lengths are equal within their uncertainty may be sorted either way.
                 near = tree.query_ball_point(ratios, radius)
                 numbers = [len(each) for each in near]
                 mine = np.repeat(corners, numbers, axis=0)
@@ -55,12 +53,14 @@ class SimilarTriangles:
         return np.concatenate(found)
 
 
-def named_seeds(site: Site, targets: np.ndarray, last: int, allowed: np.ndarray, size: int) -> np.ndarray:
-    """Return sets of `size` nodes of the same shape that end with `last`, when names say which is which.
+def named_seeds(
+    control: ControlPoints, targets: np.ndarray, last: int, allowed: np.ndarray, size: int
+) -> np.ndarray:
+    """Return sets of `size` nodes of the same shape that end with `last`, if targets are matched by names.
 
     Parameters
     ----------
-    site : Site
+    control : ControlPoints
     targets : ndarray, shape (n, 3)
     last : int
     allowed : ndarray of bool, shape (n, N)
@@ -78,10 +78,10 @@ def named_seeds(site: Site, targets: np.ndarray, last: int, allowed: np.ndarray,
         return mine * allowed.shape[1] + points[mine]
     first, second = np.triu_indices(len(earlier), 1)
     mine = np.column_stack([earlier[first], earlier[second], np.full(len(first), last)])
-    of_targets, of_points = _sides(targets[mine]), _sides(site.points[points[mine]])
+    of_targets, of_points = _sides(targets[mine]), _sides(control.points[points[mine]])
     longest = np.maximum(of_points.max(axis=1), np.finfo(float).tiny)
     scale = longest / np.maximum(of_targets.max(axis=1), np.finfo(float).tiny)
-    alike = np.abs(of_targets * scale[:, None] - of_points).max(axis=1) <= 2 * site.limits.max()
+    alike = np.abs(of_targets * scale[:, None] - of_points).max(axis=1) <= 2 * control.limits.max()
     return (mine * allowed.shape[1] + points[mine])[alike]
 
 

@@ -1,1 +1,5 @@
-"""The layers, the transformations and the report of a registration."""
+"""The files of a registration.
+
+Public names: `transforms.write_transforms`, `read_transforms` and `match_clouds`, `layers.write_residuals`
+and `write_control`, `report.write_report`.
+"""

@@ -2,12 +2,13 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, Optional
 
 import numpy as np
 from scipy import stats
 from shapely.geometry import Point
 
-from ...reporting.svg import round_step
+from ...reporting.numbers import round_step
 from ...vector import write_vector
 from ..results import ControlPoint, Correspondence, Registration, ScanRegistration
 
@@ -15,11 +16,11 @@ CONFIDENCE = 0.95
 """Of ellipses and ellipsoids."""
 
 PLANE_FACTOR, SPACE_FACTOR = (float(np.sqrt(stats.chi2.ppf(CONFIDENCE, size))) for size in (2, 3))
-"""By which the semi-axes exceed the standard deviations: 2.448 and 2.795."""
+"""Ratios of the semi-axes to the standard deviations: 2.448 and 2.795."""
 
 NAME = 80
 LIST = 254
-"""Bytes that a text may have; a shapefile holds no more than 254."""
+"""Most bytes of a text; a shapefile holds at most 254."""
 
 AXES = ("x", "y", "z")
 
@@ -75,7 +76,7 @@ def write_control(registration: Registration, path: Path) -> None:
 
 
 def exaggeration(scans: Sequence[ScanRegistration]) -> int:
-    """Return how many times too large residuals are drawn, so that the longest is a tenth of the map."""
+    """Return the exaggeration that draws the longest residual as a tenth of the map."""
     used = [item for scan in scans for item in scan.correspondences if item.used]
     longest = max((float(np.linalg.norm(item.residual[:2])) for item in used), default=0.0)
     if longest == 0.0:
@@ -90,14 +91,14 @@ def semi_axes(covariance: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     covariance : ndarray, shape (3, 3)
-        Square metres; where it is not known, neither are the semi-axes.
+        Square metres; if unknown, so are the semi-axes.
     """
     if not np.all(np.isfinite(covariance)):
         return np.full(3, np.nan)
     return SPACE_FACTOR * np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[::-1], 0.0))
 
 
-def _residual(scan: str, item: Correspondence) -> dict:
+def _residual(scan: str, item: Correspondence) -> dict[str, Any]:
     vectors = {
         "v": item.residual,
         "r": item.redundancy,
@@ -118,7 +119,7 @@ def _residual(scan: str, item: Correspondence) -> dict:
     }
 
 
-def _control(point: ControlPoint) -> dict:
+def _control(point: ControlPoint) -> dict[str, Any]:
     deviations = np.sqrt(np.diag(point.covariance))
     return {
         "name": _cut(point.name),
@@ -129,8 +130,8 @@ def _control(point: ControlPoint) -> dict:
     }
 
 
-def _known(values: dict) -> dict:
-    """Return the values as numbers, None where there is none."""
+def _known(values: dict[str, float]) -> dict[str, Optional[float]]:
+    """Return the values as numbers, None if unknown."""
     return {name: float(value) if np.isfinite(value) else None for name, value in values.items()}
 
 
@@ -144,7 +145,7 @@ def _cut(text: str, size: int = NAME) -> str:
 
 
 def _joined(names: Sequence[str]) -> str:
-    """Return names in one text, as many whole ones as it can hold."""
+    """Return names in one text, as many whole ones as fit."""
     for count in range(len(names), 0, -1):
         rest = [] if count == len(names) else ["\N{HORIZONTAL ELLIPSIS}"]
         text = ", ".join([*names[:count], *rest])

@@ -1,25 +1,18 @@
 """REPORT: a registration as a page to read, print and keep."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from ...reporting.html import (
-    MISSING,
-    Markup,
-    definitions,
-    link,
-    notes,
-    number,
-    paragraph,
-    section,
-    table,
-    write_page,
-)
-from ..adjustment.statistical_tests import ALPHA, CRITICAL_W, NONCENTRALITY, POWER
+from ...reporting.numbers import MISSING, number
+from ...reporting.page import write_page
+from ..adjustment.settings import OutlierTestSettings
 from ..results import ControlPoint, Registration, ScanRegistration
 from ..settings import Matching, Model, Settings
 from .layers import PLANE_FACTOR, SPACE_FACTOR
 from .report_figures import site_plan
-from .report_scan import LEVEL, TAU, refused_section, registered_section, verdict
+from .report_scan import LEVEL, TAU, WEAK, scan_content, verdict
+
+TEMPLATE = Path(__file__).parent / "templates" / "registration.html"
 
 MODELS = {
     Model.RIGID: "rigid",
@@ -28,6 +21,11 @@ MODELS = {
     Model.LEVELLED_SCALE: "levelled with a scale near 1",
     Model.UNKNOWN_SCALE: "unknown scale",
 }
+
+MOST_RIVALS = 12
+"""Solutions that are listed of a scan that has several."""
+
+TESTS = OutlierTestSettings()
 
 ALPHA_SIGN, DELTA = "\N{GREEK SMALL LETTER ALPHA}", "\N{GREEK SMALL LETTER DELTA}"
 
@@ -40,11 +38,11 @@ LEGEND = {
     f"deviations hold. The verdict is on a level of {100 * LEVEL:g} %, both sides together.",
     "r": "Redundancy number, 0 to 1: the part of an error of a coordinate that its residual shows.",
     "w": "Baarda's normalized residual, by the a priori standard deviation; suspected beyond "
-    f"{CRITICAL_W:.2f} ({ALPHA_SIGN} = {ALPHA:g}).",
+    f"{TESTS.critical_w:.2f} ({ALPHA_SIGN} = {TESTS.significance:g}).",
     TAU: "Pope's studentized residual, by the a posteriori standard deviation of the scan; its limit "
-    f"({ALPHA_SIGN} = {ALPHA:g}) depends on the redundancy.",
+    f"({ALPHA_SIGN} = {TESTS.significance:g}) depends on the redundancy.",
     "MDB": "Minimal detectable bias: the smallest error of a coordinate that the w-test finds with a power "
-    f"of {100 * POWER:g} % ({DELTA}0 = {NONCENTRALITY:.2f}).",
+    f"of {100 * TESTS.power:g} % ({DELTA}0 = {TESTS.noncentrality:.2f}).",
     "95 % ellipse, ellipsoid": f"Semi-axes are {PLANE_FACTOR:.3f} (plane) and {SPACE_FACTOR:.3f} (space) "
     "standard deviations.",
     "Accidental matches": "How many are expected of as many targets, if the scan had nothing to do with the "
@@ -64,20 +62,26 @@ def write_report(registration: Registration, path: Path) -> None:
     InputError
         If the file cannot be written.
     """
-    anchors = {scan.name: f"scan-{number}" for number, scan in enumerate(registration.scans, start=1)}
     refused = [scan for scan in registration.scans if not scan.registered]
+    plan, plan_caption = site_plan(registration)
     write_page(
         path,
-        "Registration of scans",
-        paragraph(_result(registration)),
-        notes(registration.warnings),
-        _scans(registration, anchors),
-        *(refused_section(scan, anchors[scan.name]) for scan in refused),
-        section("Settings", _settings(registration)),
-        section("Plan", site_plan(registration)),
-        *(registered_section(scan, registration, anchors[scan.name]) for scan in registration.registered),
-        _control(registration.points),
-        section("What the numbers mean", definitions(LEGEND)),
+        TEMPLATE,
+        anchors={scan.name: f"scan-{place}" for place, scan in enumerate(registration.scans, start=1)},
+        result=_result(registration),
+        warnings=registration.warnings,
+        scans=[(scan.name, scan.status, [str(scan.targets), *_summary(scan)]) for scan in registration.scans],
+        refused_scans=refused,
+        refused_names={scan.name for scan in refused},
+        most_rivals=MOST_RIVALS,
+        settings=_settings(registration),
+        plan=plan,
+        plan_caption=plan_caption,
+        registered_scans=[scan_content(scan, registration) for scan in registration.registered],
+        weak=WEAK,
+        critical_w=TESTS.critical_w,
+        control=_control(registration.points),
+        legend=LEGEND,
     )
 
 
@@ -90,31 +94,9 @@ def _result(registration: Registration) -> str:
     )
 
 
-def _scans(registration: Registration, anchors: dict) -> Markup:
-    header = (
-        "scan",
-        "status",
-        "targets",
-        "matched",
-        "rejected",
-        "appended",
-        "round",
-        "sigma0",
-        "probability",
-        "longest v (mm)",
-        "scale (ppm)",
-        "accidental matches",
-    )
-    rows = [
-        (link(scan.name, anchors[scan.name]), scan.status, str(scan.targets), *_summary(scan))
-        for scan in registration.scans
-    ]
-    refused = [row for row, scan in enumerate(registration.scans) if not scan.registered]
-    return section("Scans", table(header, rows, words=(0, 1), marked=refused))
-
-
-def _summary(scan: ScanRegistration) -> tuple:
-    if not scan.registered:
+def _summary(scan: ScanRegistration) -> tuple[str, ...]:
+    """Return what the table of scans shows besides name, status and number of targets."""
+    if scan.test is None:
         return (MISSING,) * 9
     used = [item for item in scan.correspondences if item.used]
     scale = scan.scale_test
@@ -131,23 +113,19 @@ def _summary(scan: ScanRegistration) -> tuple:
     )
 
 
-def _settings(registration: Registration) -> Markup:
+def _settings(registration: Registration) -> list[tuple[str, str]]:
     settings, crs = registration.settings, registration.crs
-    return table(
-        ("setting", "value"),
-        [
-            ("matching", "by names" if settings.matching is Matching.NAMES else "by distances"),
-            ("transformation", f"{MODELS[settings.model]}, {settings.model.unknowns} parameters"),
-            ("standard deviation of a target", f"{1000 * settings.sigma:g} mm"),
-            ("standard deviation of a control point", _control_sigma(settings)),
-            ("tolerance of distances", _tolerance(registration)),
-            (
-                "coordinate reference system",
-                (crs.to_string() if crs.to_epsg() else crs.to_wkt()) if crs else "none",
-            ),
-        ],
-        words=(0, 1),
-    )
+    return [
+        ("matching", "by names" if settings.matching is Matching.NAMES else "by distances"),
+        ("transformation", f"{MODELS[settings.model]}, {settings.model.unknowns} parameters"),
+        ("standard deviation of a target", f"{1000 * settings.sigma:g} mm"),
+        ("standard deviation of a control point", _control_sigma(settings)),
+        ("tolerance of distances", _tolerance(registration)),
+        (
+            "coordinate reference system",
+            (crs.to_string() if crs.to_epsg() else crs.to_wkt()) if crs else "none",
+        ),
+    ]
 
 
 def _control_sigma(settings: Settings) -> str:
@@ -159,9 +137,8 @@ def _tolerance(registration: Registration) -> str:
     return f"{1000 * registration.tolerance:.1f} mm, {origin}"
 
 
-def _control(points: tuple[ControlPoint, ...]) -> Markup:
-    header = ("name", "origin", "x", "y", "z", "sx", "sy", "sz", "scans")
-    rows = [
+def _control(points: Sequence[ControlPoint]) -> list[tuple[str, ...]]:
+    return [
         (
             point.name,
             point.origin,
@@ -171,5 +148,3 @@ def _control(points: tuple[ControlPoint, ...]) -> Markup:
         )
         for point in points
     ]
-    caption = "Coordinates in metres, their standard deviations in millimetres; how many scans use the point."
-    return section("Control points", table(header, rows, words=(0, 1), caption=caption))

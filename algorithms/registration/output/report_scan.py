@@ -1,14 +1,18 @@
 """What the report says about a single scan."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from ...reporting.html import Markup, bullets, element, notes, number, paragraph, section, table
-from ..adjustment.statistical_tests import CRITICAL_W, critical_tau
+from ...reporting.numbers import number
+from ..adjustment.settings import OutlierTestSettings
+from ..adjustment.statistical_tests import critical_tau
 from ..results import GlobalTest, Registration, ScanRegistration
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
+
+CRITICAL_W = OutlierTestSettings().critical_w
 
 LEVEL = 0.05
 """Of the global test, both sides together."""
@@ -16,43 +20,44 @@ LEVEL = 0.05
 WEAK = 0.1
 """Below this redundancy number, hardly anything of an error shows in the residual."""
 
-MOST_RIVALS = 12
-
 TAU = "\N{GREEK SMALL LETTER TAU}"
 
 UNITS = {"shift": ("m", 4), "rotation": ("\N{DEGREE SIGN}", 6), "scale": ("", 8)}
 
 
-def registered_section(scan: ScanRegistration, registration: Registration, anchor: str) -> Markup:
-    """Return all that is known of a scan that was registered."""
-    return section(
-        scan.name,
-        paragraph(_matched(scan)),
-        notes(scan.warnings),
-        paragraph(f"Global test: {verdict(scan.test)} ", scan.scale_test.advice if scan.scale_test else ""),
-        scan_plan(scan, registration),
-        residual_bars(scan),
-        section("Parameters, scan to control points", _parameters(scan), _correlations(scan), level=3),
-        section("Residuals", _residuals(scan), _rejected(scan), level=3),
-        section("Reliability", _reliability(scan), level=3),
-        anchor=anchor,
-    )
+class Flagged(NamedTuple):
+    """A number, and whether the reader should doubt it."""
+
+    text: str
+    doubtful: bool
 
 
-def refused_section(scan: ScanRegistration, anchor: str) -> Markup:
-    """Return why a scan was not registered."""
-    shown = [
-        ", ".join(f"{target} = {control}" for target, control in rival.items())
-        for rival in scan.rivals[:MOST_RIVALS]
-    ]
-    more = len(scan.rivals) - len(shown)
-    return section(
-        f"{scan.name}: {scan.status}",
-        notes([scan.reason, *scan.warnings]),
-        paragraph("Solutions that are as good as each other, target = control point:") if shown else Markup(),
-        bullets([*shown, f"and {more} more"] if more else shown),
-        anchor=anchor,
-    )
+def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str, object]:
+    """Return all that the template shows of a scan that was registered."""
+    if scan.test is None or scan.correlations is None:
+        raise ValueError(f"{scan.name} is not registered.")
+    limit = critical_tau(scan.test.redundancy)
+    plan, plan_caption = scan_plan(scan, registration)
+    components, lengths = residual_bars(scan)
+    return {
+        "name": scan.name,
+        "matched": _matched(scan),
+        "warnings": scan.warnings,
+        "verdict": verdict(scan.test),
+        "scale_advice": scan.scale_test.advice if scan.scale_test else "",
+        "plan": plan,
+        "plan_caption": plan_caption,
+        "components": components,
+        "lengths": lengths,
+        "parameters": _parameters(scan),
+        "parameter_names": [_spoken(item.name) for item in scan.estimates],
+        "correlations": _correlations(scan, scan.correlations),
+        "residuals": _residuals(scan),
+        "rejected": _rejected(scan),
+        "rejected_rows": [row for row, item in enumerate(scan.correspondences) if not item.used],
+        "reliability": _reliability(scan, limit),
+        "critical_tau": number(limit, 2),
+    }
 
 
 def verdict(test: GlobalTest) -> str:
@@ -66,7 +71,7 @@ def verdict(test: GlobalTest) -> str:
     if test.probability < LEVEL / 2:
         return f"the residuals are larger than the a priori standard deviations allow {numbers}."
     if test.probability > 1 - LEVEL / 2:
-        return f"the residuals are smaller than the a priori standard deviations let expect {numbers}."
+        return f"the residuals are smaller than the a priori standard deviations suggest {numbers}."
     return f"the residuals agree with the a priori standard deviations {numbers}."
 
 
@@ -84,82 +89,63 @@ def _matched(scan: ScanRegistration) -> str:
     return " ".join(sentences)
 
 
-def _parameters(scan: ScanRegistration) -> Markup:
+def _parameters(scan: ScanRegistration) -> list[tuple[str, str, str, str]]:
     rows = []
     for item in scan.estimates:
         unit, decimals = UNITS[item.name.split("_")[0]]
         rows.append((_spoken(item.name), number(item.value, decimals), number(item.std, decimals), unit))
-    return table(("parameter", "value", "standard deviation", "unit"), rows, words=(0, 3))
+    return rows
 
 
-def _correlations(scan: ScanRegistration) -> Markup:
+def _correlations(scan: ScanRegistration, correlations: np.ndarray) -> list[tuple[str, ...]]:
+    """Return the lower half of the matrix, without its diagonal."""
     names = [_spoken(item.name) for item in scan.estimates]
-    rows = [
+    return [
         (name, *(number(value, 2) for value in values[:place]), *[""] * (len(names) - 1 - place))
-        for place, (name, values) in enumerate(zip(names, scan.correlations))
+        for place, (name, values) in enumerate(zip(names, correlations))
         if place
     ]
-    return table(("", *names[:-1]), rows, caption="Correlations")
 
 
-def _residuals(scan: ScanRegistration) -> Markup:
-    header = ("target", "control", "origin", "vx", "vy", "vz", "v", "a", "b", "c")
-    rows = [
+def _residuals(scan: ScanRegistration) -> list[tuple[str, ...]]:
+    return [
         (
             item.target,
             item.control,
             "surveyed" if item.surveyed else "appended",
-            *_millimetres((*item.residual, item.length, *semi_axes(item.covariance)), 1),
+            *_millimetres((*item.residual, item.length, *semi_axes(item.covariance))),
         )
         for item in scan.correspondences
     ]
-    caption = (
-        "Millimetres; a, b, c: semi-axes of the 95 % ellipsoid of the transformed target. Red: rejected."
-    )
-    return table(header, rows, words=(0, 1, 2), marked=_rejected_rows(scan), caption=caption)
 
 
-def _rejected(scan: ScanRegistration) -> Markup:
-    return bullets(
+def _rejected(scan: ScanRegistration) -> list[str]:
+    return [
         f"{item.target} = {item.control} was rejected: it is {item.length:.3f} m off, "
         f"|w| {number(float(np.abs(item.normalized).max()), 1)}."
         for item in scan.correspondences
         if not item.used
-    )
-
-
-def _reliability(scan: ScanRegistration) -> Markup:
-    limit = critical_tau(scan.test.redundancy)
-    header = ["target"] + [
-        f"{kind} {axis}" for kind in ("r", "w", "\N{GREEK SMALL LETTER TAU}", "MDB") for axis in "xyz"
     ]
-    rows = [
+
+
+def _reliability(scan: ScanRegistration, limit: float) -> list[tuple[str, list[Flagged]]]:
+    """Return each target with its redundancy numbers, w, tau up to a limit, and minimal detectable biases."""
+    return [
         (
             item.target,
-            *(_flagged(number(value, 2), value < WEAK) for value in item.redundancy),
-            *(_flagged(number(value, 2), abs(value) > CRITICAL_W) for value in item.normalized),
-            *(_flagged(number(value, 2), abs(value) > limit) for value in item.studentized),
-            *_millimetres(item.detectable, 1),
+            [
+                *(Flagged(number(value, 2), value < WEAK) for value in item.redundancy),
+                *(Flagged(number(value, 2), abs(value) > CRITICAL_W) for value in item.normalized),
+                *(Flagged(number(value, 2), abs(value) > limit) for value in item.studentized),
+                *(Flagged(text, False) for text in _millimetres(item.detectable)),
+            ],
         )
         for item in scan.correspondences
     ]
-    caption = (
-        f"Red: redundancy number below {WEAK:g}, |w| above {CRITICAL_W:.2f}, |{TAU}| above "
-        f"{number(limit, 2)}, or rejected. MDB in millimetres."
-    )
-    return table(header, rows, marked=_rejected_rows(scan), caption=caption)
 
 
-def _rejected_rows(scan: ScanRegistration) -> list[int]:
-    return [row for row, item in enumerate(scan.correspondences) if not item.used]
-
-
-def _flagged(text: str, doubtful: bool) -> object:
-    return element("b", text, class_="red") if doubtful else text
-
-
-def _millimetres(values: Sequence[float], decimals: int) -> list[str]:
-    return [number(1000 * value, decimals) for value in values]
+def _millimetres(metres: Sequence[float]) -> list[str]:
+    return [number(1000 * value, 1) for value in metres]
 
 
 def _spoken(name: str) -> str:

@@ -1,4 +1,4 @@
-"""TRANSFORMS: what a registration found, as a json file that other algorithms and scripts read."""
+"""TRANSFORMS: the transformations of the scans, as a json file that other algorithms and scripts read."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from ...files import atomic_output
 from ..results import REGISTERED, Correspondence, Registration, ScanRegistration
 
 ORTHOGONAL = 1e-6
-"""How far R'R of a matrix m R may be from the identity: as far as six written decimals take it."""
+"""Largest difference between R'R of a matrix m R and the identity: that of six written decimals."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Transforms:
 
 
 def write_transforms(registration: Registration, path: Path) -> None:
-    """Write a registration as json; numbers come back exactly, and what is not a number is null.
+    """Write a registration as json; numbers are read back exactly, and unknown values are null.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def write_transforms(registration: Registration, path: Path) -> None:
         temporary.write_bytes(f"{text}\n".encode())
 
 
-def _scan(scan: ScanRegistration) -> dict:
+def _scan(scan: ScanRegistration) -> dict[str, Any]:
     test, scale_test = scan.test, scan.scale_test
     return {
         "name": scan.name,
@@ -106,7 +106,7 @@ def _scan(scan: ScanRegistration) -> dict:
     }
 
 
-def _correspondence(item: Correspondence) -> dict:
+def _correspondence(item: Correspondence) -> dict[str, Any]:
     vx, vy, vz = item.residual
     return {
         "target": item.target,
@@ -140,7 +140,7 @@ def read_transforms(path: Path) -> Transforms:
     Raises
     ------
     InputError
-        If the file cannot be read, is no TRANSFORMS file, or holds a matrix that is no similarity.
+        If the file cannot be read, is not a TRANSFORMS file, or holds a matrix that is not a similarity.
     """
     path = Path(path)
     try:
@@ -158,7 +158,7 @@ def read_transforms(path: Path) -> Transforms:
     names = [scan.name for scan in scans]
     repeated = next((name for name in names if names.count(name) > 1), None)
     if repeated:
-        raise InputError(f"{path} lists the scan {repeated} twice; remove it once.")
+        raise InputError(f"{path} lists the scan {repeated} twice; remove one entry.")
     return Transforms(path, scans, _read_crs(path, document.get("crs")))
 
 
@@ -185,7 +185,7 @@ def _matrix(given: Any) -> np.ndarray:
 
 
 def _problem(matrix: np.ndarray) -> str:
-    """Return what keeps `matrix` from being a similarity."""
+    """Return why `matrix` is not a similarity; empty if it is one."""
     if matrix.shape != (4, 4):
         return "is not four rows of four numbers"
     if not np.isfinite(matrix).all():
@@ -198,7 +198,7 @@ def _problem(matrix: np.ndarray) -> str:
     scale = np.cbrt(determinant)
     rotation = matrix[:3, :3] / (scale or 1.0)
     if np.abs(rotation.T @ rotation - np.eye(3)).max() > ORTHOGONAL:
-        return "distorts the scan, for its rotation is not orthogonal"
+        return "distorts the scan because its rotation is not orthogonal"
     return ""
 
 
@@ -219,19 +219,20 @@ def match_clouds(
 ) -> tuple[tuple[Optional[ScanTransform], ...], tuple[str, ...]]:
     """Return the scan of each cloud, by the stems of the files, None if it is not registered; and warnings.
 
-    Of a file `scan.copc.laz` the stem is `scan`. Capitals matter only where names differ in nothing
-    else. If there is one cloud and one scan, they belong together whatever their names.
+    The stem of `scan.copc.laz` is `scan`. Capitals matter only if names differ in nothing else. One cloud
+    and one scan belong together, whatever their names.
 
     Raises
     ------
     InputError
         If a cloud has no scan of its name, or no scan of a cloud is registered.
     """
-    scans = tuple(_scan_of(transforms, cloud) for cloud in clouds)
-    warnings = ()
+    scans: tuple[Optional[ScanTransform], ...] = tuple(_scan_of(transforms, cloud) for cloud in clouds)
+    warnings: tuple[str, ...] = ()
     if len(clouds) == len(transforms.scans) == 1 and scans[0] is None:
-        scans = transforms.scans
-        warnings = (f"The only scan in {transforms.path}, {scans[0].name}, is taken for {clouds[0].name}.",)
+        (only,) = scans = transforms.scans
+        warnings = (f"The only scan in {transforms.path}, {only.name}, is used for {clouds[0].name}.",)
+    placed: list[Optional[ScanTransform]] = []
     refused = []
     for cloud, scan in zip(clouds, scans):
         if scan is None:
@@ -240,15 +241,15 @@ def match_clouds(
                 f"There is no scan for {cloud} in {transforms.path}, only {names}; "
                 "name the cloud after its scan."
             )
+        placed.append(scan if scan.matrix is not None else None)
         if scan.matrix is None:
             refused.append(
-                f"{cloud} is left out, for its scan {scan.name} is not registered in {transforms.path} "
+                f"{cloud} is left out because its scan {scan.name} is not registered in {transforms.path} "
                 f"({scan.status}{': ' if scan.reason else ''}{scan.reason.rstrip('.')})."
             )
     if len(refused) == len(clouds):
         raise InputError(" ".join([*refused, "Register at least one of them."]))
-    placed = tuple(None if scan.matrix is None else scan for scan in scans)
-    return placed, (*warnings, *refused)
+    return tuple(placed), (*warnings, *refused)
 
 
 def _scan_of(transforms: Transforms, cloud: Path) -> Optional[ScanTransform]:

@@ -1,6 +1,6 @@
-"""The paper's own experiment (chapter 5): whether random parts of a control list are recognised.
+"""The paper's own experiment (chapter 5): whether random parts of a control list are identified.
 
-A surveyor learns so, before going out, whether the targets are placed unambiguously.
+So a surveyor checks before fieldwork whether the control points can be identified unambiguously.
 """
 
 from collections import Counter
@@ -22,31 +22,30 @@ SUCCESS = "success"
 WRONG = "wrong labels"
 INCOMPLETE = "incomplete"
 
-SCALES = (0.1, 10.0)
-"""Between which the scale of a scan lies when nothing is known about it."""
-
 
 @dataclass(frozen=True)
 class Trial:
-    """A scan of some control points, and what became of it.
+    """A simulated scan of some control points, and its registration.
 
     Attributes
     ----------
     points : tuple of str
         The control points that were seen.
     outcome : str
-        `SUCCESS` if every target was given its control point, be it to reject it as an outlier; `WRONG` if
-        one was given another, else `INCOMPLETE`; where the scan was refused, the status of its registration.
+        `SUCCESS` if every target was matched with its control point, even if then rejected as an outlier;
+        `WRONG` if one was matched with another, else `INCOMPLETE`; of a refused scan, the status of its
+        registration.
     wrong : int
-        Number of targets that were given another control point.
+        Number of targets that were matched with another control point.
     shift_error : float
-        Distance of the scanner from where it stood, metres; this and what follows is nan if refused.
+        Distance between the computed and the true station, metres; of a refused scan nan, like the errors
+        below.
     rotation_error : float
         Angle, degrees.
     sigma0 : float
         A posteriori over a priori standard deviation.
     confused : frozenset of (str, str)
-        Pairs of control points, each in the order of the list, that were or could be taken for each other.
+        Pairs of control points, each in the order of the list, that were or could be confused.
     """
 
     points: tuple[str, ...]
@@ -55,12 +54,12 @@ class Trial:
     shift_error: float
     rotation_error: float
     sigma0: float
-    confused: frozenset
+    confused: frozenset[tuple[str, str]]
 
 
 @dataclass(frozen=True)
 class Confusion:
-    """Two control points that are taken for each other.
+    """Two control points that are confused.
 
     Attributes
     ----------
@@ -102,7 +101,7 @@ class Simulation:
 
     @property
     def successes(self) -> tuple[Trial, ...]:
-        """The trials in which every target was given its control point."""
+        """The trials in which every target was matched with its control point."""
         return tuple(trial for trial in self.trials if trial.outcome == SUCCESS)
 
     @property
@@ -111,14 +110,14 @@ class Simulation:
         return len(self.successes) / len(self.trials)
 
     @property
-    def failures(self) -> dict:
+    def failures(self) -> dict[str, int]:
         """Numbers of all other trials by their outcome, the most frequent first."""
         counts = Counter(trial.outcome for trial in self.trials if trial.outcome != SUCCESS)
         return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
 
     @property
     def confusions(self) -> tuple[Confusion, ...]:
-        """The pairs of control points that are taken for each other, the most frequent first."""
+        """The pairs of control points that are confused, the most frequent first."""
         counts = Counter(pair for trial in self.trials for pair in trial.confused)
         order = {name: row for row, name in enumerate(self.control.names)}
         ranked = sorted(counts.items(), key=lambda item: (-item[1], *(order[name] for name in item[0])))
@@ -135,7 +134,7 @@ def simulate(
     reach: Optional[float] = None,
     progress: Progress = Progress(),
 ) -> Simulation:
-    """Register random parts of a control list, seen from random places with noise.
+    """Register random parts of a control list, seen from random stations with noise.
 
     Parameters
     ----------
@@ -149,8 +148,8 @@ def simulate(
     seed : int
         The same seed gives the same trials, and fewer of them the first ones.
     reach : float, optional
-        The targets of a scan lie within this distance of a control point (m), as a scanner sees only what is
-        around it; by default they come from the whole list.
+        All targets of a scan lie within this distance of one control point (m), because a scanner sees only
+        what is near; by default they come from the whole list.
     progress : Progress
 
     Raises
@@ -189,7 +188,9 @@ def _check(control: PointList, model: Model, targets_per_scan: int) -> None:
         )
 
 
-def _groups(control: PointList, size: int, reach: Optional[float]) -> tuple[list, tuple[str, ...]]:
+def _groups(
+    control: PointList, size: int, reach: Optional[float]
+) -> tuple[list[np.ndarray], tuple[str, ...]]:
     """Return the rows of control points that can be seen together, and a warning about the others."""
     if reach is None:
         return [np.arange(len(control.names))], ()
@@ -205,7 +206,7 @@ def _groups(control: PointList, size: int, reach: Optional[float]) -> tuple[list
     if not lonely:
         return groups, ()
     return groups, (
-        f"These control points are in no trial, for too few others are within REACH: {', '.join(lonely)}.",
+        f"These control points are in no trial because too few others are within REACH: {', '.join(lonely)}.",
     )
 
 
@@ -213,31 +214,36 @@ def _trial(
     control: PointList, seen: np.ndarray, settings: Settings, scale_ppm: float, generator: np.random.Generator
 ) -> Trial:
     places = control.xyz[seen]
-    true = _pose(places, settings.model, generator)
-    # Of the points as surveyed, too: only the difference of both errors matters.
+    true = _pose(places, settings, generator)
+    # It includes the error of the surveyed points: only the difference of both matters.
     noise = generator.normal(0, np.hypot(settings.sigma, settings.control_sigma), places.shape)
     measured = places + scale_ppm * 1e-6 * (places - places.mean(axis=0)) + noise
     scanned = np.linalg.solve(true[:3, :3], (measured - true[:3, 3]).T).T
     names = tuple(str(row) for row in range(1, len(seen) + 1))
     scan = PointList("scan", names, np.ascontiguousarray(scanned), named=False)
     (found,) = register_scans(control, [scan], settings).scans
-    return _judged(found, true, dict(zip(names, seen)), control.names)
+    return _compared(found, true, dict(zip(names, seen)), control.names)
 
 
-def _pose(places: np.ndarray, model: Model, generator: np.random.Generator) -> np.ndarray:
-    """Return a scanner somewhere among the places, turned at random; from its frame to theirs."""
-    if model.levelled:
+def _pose(places: np.ndarray, settings: Settings, generator: np.random.Generator) -> np.ndarray:
+    """Return the pose of a scanner among the places, rotated at random; from its frame to theirs."""
+    if settings.model.levelled:
         rotation = Rotation.from_euler("z", generator.uniform(0, 2 * np.pi))
     else:
         rotation = Rotation.from_quat(generator.normal(size=4))
-    scale = np.exp(generator.uniform(*np.log(SCALES))) if model is Model.UNKNOWN_SCALE else 1.0
+    scale = 1.0
+    if settings.model is Model.UNKNOWN_SCALE:
+        limits = settings.simulation.smallest_scale, settings.simulation.largest_scale
+        scale = np.exp(generator.uniform(*np.log(limits)))
     pose = np.eye(4)
     pose[:3, :3] = scale * rotation.as_matrix()
     pose[:3, 3] = generator.uniform(places.min(axis=0), places.max(axis=0))
     return pose
 
 
-def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[str, ...]) -> Trial:
+def _compared(
+    found: ScanRegistration, true: np.ndarray, rows: dict[str, int], names: tuple[str, ...]
+) -> Trial:
     """Compare a registration with the true pose, and with the true rows of the targets."""
     row_of = {name: row for row, name in enumerate(names)}
     right = sum(row_of[item.control] == rows[item.target] for item in found.correspondences)
@@ -249,7 +255,7 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         outcome = WRONG
     else:
         outcome = SUCCESS if right == len(rows) else INCOMPLETE
-    shift, rotation = _errors(found.matrix, true) if found.registered else (np.nan, np.nan)
+    shift, rotation = _errors(found.matrix, true) if found.matrix is not None else (np.nan, np.nan)
     rivals = [{target: row_of[point] for target, point in rival.items()} for rival in found.rivals]
     pairs = {
         tuple(sorted((row, rows[target])))
@@ -263,13 +269,13 @@ def _judged(found: ScanRegistration, true: np.ndarray, rows: dict, names: tuple[
         wrong=wrong,
         shift_error=shift,
         rotation_error=rotation,
-        sigma0=found.test.sigma0 if found.registered else np.nan,
+        sigma0=found.test.sigma0 if found.test else np.nan,
         confused=frozenset((names[one], names[other]) for one, other in pairs),
     )
 
 
 def _errors(matrix: np.ndarray, true: np.ndarray) -> tuple[float, float]:
-    """Return by how much a matrix differs from the true one: metres, degrees."""
-    turn = matrix[:3, :3] @ true[:3, :3].T / np.cbrt(np.linalg.det(matrix[:3, :3] @ true[:3, :3].T))
-    angle = Rotation.from_matrix(turn).magnitude()
+    """Return the errors of a matrix: metres, degrees."""
+    difference = matrix[:3, :3] @ true[:3, :3].T / np.cbrt(np.linalg.det(matrix[:3, :3] @ true[:3, :3].T))
+    angle = Rotation.from_matrix(difference).magnitude()
     return float(np.linalg.norm(matrix[:3, 3] - true[:3, 3])), float(np.degrees(angle))

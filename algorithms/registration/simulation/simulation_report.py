@@ -1,68 +1,38 @@
-"""What a simulation says to the surveyor: a page, and a table with a row for each trial."""
+"""REPORT: a simulation as a page that says what to change before the fieldwork."""
 
-import csv
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from ...files import atomic_output
 from ...reporting.charts import histogram
-from ...reporting.html import (
-    Markup,
-    bullets,
-    definitions,
-    figure,
-    join,
-    notes,
-    number,
-    paragraph,
-    section,
-    table,
-    write_page,
-)
+from ...reporting.figures import COLOURS, GREY, RED
 from ...reporting.maps import Map
-from ...reporting.svg import COLOURS, GREY, RED
+from ...reporting.numbers import number
+from ...reporting.page import write_page
 from ..settings import Model
-from .simulation import INCOMPLETE, SUCCESS, WRONG, Confusion, Simulation
+from .simulation import INCOMPLETE, WRONG, Confusion, Simulation
 
-FIELDS = ("trial", "points", "outcome", "success", "wrong", "shift_error", "rotation_error", "sigma0")
+TEMPLATE = Path(__file__).parent / "templates" / "simulation.html"
 
 MEANINGS = {
     "ambiguous": "The targets fit the control points in several ways that are equally good.",
     "chance": "So few targets agree with some control points by accident too.",
     "collinear": "The targets lie on a line, or above each other in a levelled model.",
-    "coincident": "Two targets lie at the same place.",
+    "coincident": "Two targets have the same position.",
     "mirrored": "The targets lie in one plane and fit other control points as in a mirror.",
-    "too few": "The targets leave nothing by which their match could be checked.",
-    "no overlap": "The noise hid what the targets are.",
+    "too few": "The targets leave no redundancy to check their match.",
+    "no overlap": "The noise hid which targets are which.",
     INCOMPLETE: "The pose is right, but a target was given no control point.",
-    WRONG: "A target was given a control point that it is not.",
+    WRONG: "A target was given another control point than its own.",
 }
 
 MOST_POINTS = 12
 """Points that are named, where more are concerned."""
 
 MOST_PAIRS = 30
-"""Pairs that are listed; the table of trials has what remains."""
-
-
-def write_trials(simulation: Simulation, path: Path) -> None:
-    """Write a row for each trial as csv; errors in metres and degrees, empty where there is no pose.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    with atomic_output(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as file:
-        rows = csv.writer(file)
-        rows.writerow(FIELDS)
-        for row, trial in enumerate(simulation.trials, start=1):
-            errors = (trial.shift_error, trial.rotation_error, trial.sigma0)
-            written = ("" if np.isnan(value) else f"{value:.6f}" for value in errors)
-            success = int(trial.outcome == SUCCESS)
-            rows.writerow((row, ";".join(trial.points), trial.outcome, success, trial.wrong, *written))
+"""Pairs that are listed; the table of trials has all."""
 
 
 def write_simulation_report(simulation: Simulation, path: Path) -> None:
@@ -73,34 +43,35 @@ def write_simulation_report(simulation: Simulation, path: Path) -> None:
     InputError
         If the file cannot be written.
     """
+    shown = simulation.confusions[:MOST_PAIRS]
+    counts = _trials_by_point(simulation)
+    errors = _errors(simulation)
     write_page(
         path,
-        f"Simulated registration with {simulation.control.name}",
-        _summary(simulation),
-        _failures(simulation),
-        _pairs(simulation),
-        _errors(simulation),
-        _conditions(simulation),
+        TEMPLATE,
+        simulation=simulation,
+        settings=simulation.settings,
+        model=simulation.settings.model.name.lower().replace("_", " "),
+        scale_unknown=simulation.settings.model is Model.UNKNOWN_SCALE,
+        wrong=simulation.failures.get(WRONG, 0),
+        advice=_advice(simulation),
+        failures=_failures(simulation),
+        confused_count=len(counts),
+        confused=[f"{name} ({count})" for name, count in counts[:MOST_POINTS]],
+        pairs=[(*pair.points, f"{_distance(simulation, pair):.3f}", pair.trials) for pair in shown],
+        map=_map(simulation, shown),
+        errors=[_quantiles(name, values) for name, values in errors.items()],
+        histograms={name.partition(" (")[0]: histogram(values, name) for name, values in errors.items()},
     )
-
-
-def _summary(simulation: Simulation) -> Markup:
-    count, successes = len(simulation.trials), len(simulation.successes)
-    wrong = simulation.failures.get(WRONG, 0)
-    sentence = (
-        f"In {successes} of {count} trials ({simulation.success_rate:.1%}) all "
-        f"{simulation.targets_per_scan} targets were given their control points; in {wrong}, a wrong one."
-    )
-    return join((paragraph(sentence), notes(simulation.warnings), notes(_advice(simulation))))
 
 
 def _advice(simulation: Simulation) -> list[str]:
-    """Say what to do before going out."""
+    """Return what to do before the fieldwork."""
     advice = []
     if simulation.confusions:
         advice.append(
-            "Some control points can be taken for each other, because the distances among them repeat: move "
-            "targets that are listed below, or put one more where it breaks the symmetry."
+            "Some control points can be confused with each other, because the distances among them repeat: "
+            "move targets that are listed below, or add one that breaks the symmetry."
         )
     if any(simulation.failures.get(status) for status in ("chance", "too few", "no overlap")):
         advice.append("Some scans had too few targets to be sure: pick one or two more in each scan.")
@@ -109,42 +80,21 @@ def _advice(simulation: Simulation) -> list[str]:
     return advice
 
 
-def _failures(simulation: Simulation) -> Markup:
-    if not simulation.failures:
-        return Markup()
-    rows = [
-        (outcome, count, f"{count / len(simulation.trials):.1%}", MEANINGS.get(outcome, ""))
+def _failures(simulation: Simulation) -> list[tuple[str, str, str, str]]:
+    trials = len(simulation.trials)
+    return [
+        (outcome, str(count), f"{count / trials:.1%}", MEANINGS.get(outcome, ""))
         for outcome, count in simulation.failures.items()
     ]
-    return section("Failures", table(("outcome", "trials", "share", "meaning"), rows, words=(0, 3)))
 
 
-def _pairs(simulation: Simulation) -> Markup:
-    """Return which control points are taken for each other, as a table and on a map."""
-    pairs = simulation.confusions
-    shown = pairs[:MOST_PAIRS]
-    if not pairs:
-        words = paragraph("No control points were taken for each other.")
-    else:
-        rows = [(*pair.points, f"{_distance(simulation, pair):.3f}", pair.trials) for pair in shown]
-        more = f"The first {len(shown)} of {len(pairs)} pairs." if len(pairs) > len(shown) else None
-        header = ("point", "taken for", "distance (m)", "trials")
-        words = join((_concerned(simulation), table(header, rows, words=(0, 1), caption=more)))
-    return section("Points taken for each other", words, _map(simulation, shown))
-
-
-def _concerned(simulation: Simulation) -> Markup:
-    """Return the points that cause most doubt."""
+def _trials_by_point(simulation: Simulation) -> list[tuple[str, int]]:
+    """Return the points that were confused with others and in how many trials, most often first."""
     counts = Counter(
         name for trial in simulation.trials for name in {name for pair in trial.confused for name in pair}
     )
     names = simulation.control.names
-    ranked = sorted(counts, key=lambda name: (-counts[name], names.index(name)))
-    listed = ", ".join(f"{name} ({counts[name]})" for name in ranked[:MOST_POINTS])
-    return paragraph(
-        f"{len(counts)} of {len(names)} control points are concerned, most often these, with the number of "
-        f"trials: {listed}."
-    )
+    return sorted(counts.items(), key=lambda item: (-item[1], names.index(item[0])))
 
 
 def _distance(simulation: Simulation, pair: Confusion) -> float:
@@ -152,7 +102,7 @@ def _distance(simulation: Simulation, pair: Confusion) -> float:
     return float(np.linalg.norm(simulation.control.xyz[one] - simulation.control.xyz[other]))
 
 
-def _map(simulation: Simulation, pairs: tuple[Confusion, ...]) -> Markup:
+def _map(simulation: Simulation, pairs: Sequence[Confusion]) -> str:
     """Return the control points from above, with lines between those of `pairs`."""
     control = simulation.control
     places = control.xyz[:, :2]
@@ -161,65 +111,30 @@ def _map(simulation: Simulation, pairs: tuple[Confusion, ...]) -> Markup:
     doubted = {name for pair in simulation.confusions for name in pair.points}
     confused = np.array([name in doubted for name in control.names])
     order = np.argsort(~confused, kind="stable")
-    plan = Map.around(places)
-    sheet = plan.sheet(
-        plan.lines(places[ends[:, 0]], places[ends[:, 1]], GREY),
-        plan.dots(places[~confused], COLOURS[0]),
-        plan.dots(places[confused], RED, 8.0),
+    with Map.around(places) as plan:
+        plan.lines(places[ends[:, 0]], places[ends[:, 1]], GREY)
+        plan.dots(places[~confused], COLOURS[0])
+        plan.dots(places[confused], RED, 8.0)
         plan.names(
             places[order],
             [control.names[row] for row in order],
             ["red" if confused[row] else "" for row in order],
-        ),
-    )
-    return figure(
-        sheet,
-        "The control points from above; red ones are taken for others, lines join the pairs of the table.",
-    )
+        )
+        return plan.svg()
 
 
-def _errors(simulation: Simulation) -> Markup:
+def _errors(simulation: Simulation) -> dict[str, list[float]]:
+    """Return the errors of the trials that succeeded, by their name and unit; empty if none did."""
     successes = simulation.successes
     if not successes:
-        return Markup()
-    errors = {
-        "shift, the scanner's place (mm)": [1000 * trial.shift_error for trial in successes],
+        return {}
+    return {
+        "shift, the scanner's position (mm)": [1000 * trial.shift_error for trial in successes],
         "rotation (0.001 degrees)": [1000 * trial.rotation_error for trial in successes],
         "sigma0": [trial.sigma0 for trial in successes],
     }
-    rows = [
-        (name, *(number(float(value), 2) for value in (*np.quantile(values, (0.5, 0.95)), max(values))))
-        for name, values in errors.items()
-    ]
-    return section(
-        "Errors of the transformations",
-        paragraph("Estimated against true, in the trials that succeeded."),
-        table(("", "median", "95 %", "largest"), rows),
-        *(
-            figure(histogram(values, name), f"Distribution of {name.partition(' (')[0]}.")
-            for name, values in errors.items()
-        ),
-    )
 
 
-def _conditions(simulation: Simulation) -> Markup:
-    settings, reach = simulation.settings, simulation.reach
-    seen = "from the whole list" if reach is None else f"within {reach:g} m of one of them"
-    turned = "about the vertical" if settings.model.levelled else "about any axis"
-    scale = ", at a scale from 0.1 to 10" if settings.model is Model.UNKNOWN_SCALE else ""
-    return section(
-        "What was simulated",
-        bullets(
-            (
-                f"Each trial is a scan of {simulation.targets_per_scan} random control points {seen}, "
-                f"of {len(simulation.control.names)} in all.",
-                f"The scanner stands among them, turned at random {turned}{scale}.",
-                f"Every coordinate has normal noise of {settings.sigma * 1000:g} mm, and distances from the "
-                f"centroid of the targets are {simulation.scale_ppm:g} ppm too long.",
-                f"MODEL is {settings.model.name.lower().replace('_', ' ')}, SEED {simulation.seed}.",
-            )
-        ),
-        definitions(
-            {"References": "Herbig, Mayer, Mortada and Rasztovits 2013, chapter 5: results and simulation."}
-        ),
-    )
+def _quantiles(name: str, values: Sequence[float]) -> tuple[str, ...]:
+    median, most = np.quantile(values, (0.5, 0.95))
+    return name, *(number(float(value), 2) for value in (median, most, max(values)))

@@ -2,43 +2,18 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Optional
+from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 
 from ...geometry.azimuths import line_azimuth
-from ...geometry.circles import fit_arc
-from ...geometry.curves import Curve, Line, fit_line
+from ...geometry.circles import arc_through
+from ...geometry.curves import Curve, Line, line_through
+from ...progress import Progress
+from .settings import AxisSettings, CentrelineSettings
 from .skeleton import Chain, skeleton_of
-
-WANDER = (0.01, 0.12)
-"""How far a centreline may lie off a piece: metres, and a share of the wall's thickness."""
-
-CURVED = 1.5
-"""An arc is taken where it follows the wall so many times as far as a line,"""
-
-BENT = 0.25
-"""and turns by at least this angle, in radians."""
-
-SHORT = 1.0
-"""A piece shorter than this share of the thickness is the corner in which others meet, or part of a wall."""
-
-COMPACT = 1.5
-"""A wall whose axes are shorter than so many times the widest circle in it is a column."""
-
-FAN = 1.02
-"""Towards the corner in which a skeleton ends, each chord is longer than so many times the next."""
-
-ONE_FACE = 0.03
-"""An outline narrower than this, in metres, is a face seen from one side: the thickness is unknown."""
-
-LOOSE = 1e-2
-"""Weight of where a junction was found against where the axes meet."""
-
-JOG = 0.01
-"""An axis that passes a junction nearer than this, in metres, is bent there; else it makes a step."""
 
 
 @dataclass(frozen=True)
@@ -74,19 +49,29 @@ class Axis:
         return float(self.line.length)
 
 
-def find_axes(walls: Iterable) -> tuple:
+def find_axes(
+    walls: Iterable[tuple[int, Polygon]],
+    settings: AxisSettings = AxisSettings(),
+    progress: Progress = Progress(),
+) -> tuple[Axis, ...]:
     """Return the axes of walls; a wall not longer than thick, such as a column, has none.
 
     Parameters
     ----------
     walls : iterable of (int, Polygon)
         Numbers and outlines, world coordinates.
+    settings : AxisSettings
+    progress : Progress
+        Reports and cancels.
 
     Returns
     -------
     tuple of Axis
     """
-    pieces = [(wall_id, piece) for wall_id, outline in walls for piece in _axes_of(outline)]
+    walls, pieces = list(walls), []
+    for done, (wall_id, outline) in enumerate(walls):
+        progress.update(done / len(walls), "Finding axes")
+        pieces += [(wall_id, piece) for piece in _axes_of(outline, settings)]
     return tuple(Axis(wall_id, number, *piece) for number, (wall_id, piece) in enumerate(pieces, start=1))
 
 
@@ -101,35 +86,54 @@ class _Piece:
     end: Optional[int]
 
 
-def _axes_of(outline: Polygon) -> list:
-    skeleton = skeleton_of(outline)
+class _Run(NamedTuple):
+    """Points start..stop (exclusive) of a chain, and how the curve on which they lie is fitted."""
+
+    start: int
+    stop: int
+    fit: Callable[[np.ndarray], Optional[Curve]]
+
+
+_Measured = tuple[LineString, Optional[float], Optional[float], Optional[float], Optional[float]]
+
+
+def _axes_of(outline: Polygon, settings: AxisSettings) -> list[_Measured]:
+    """Return the line, thickness, its standard deviation, azimuth and radius of each axis of a wall."""
+    own = settings.centrelines
+    skeleton = skeleton_of(outline, settings)
     nodes = dict(skeleton.junctions)
-    pieces = [piece for chain in skeleton.chains for piece in _pieces(chain, nodes)]
+    pieces = [piece for chain in skeleton.chains for piece in _pieces(chain, nodes, own)]
     local = translate(outline, *-skeleton.origin)
-    curves = {node: [] for node in (None, *nodes)}
+    curves: dict[Optional[int], list[Curve]] = {node: [] for node in (None, *nodes)}
     for piece in pieces:
         curves[piece.start].append(piece.curve)
         curves[piece.end].append(piece.curve)
-    places = {node: _meeting(where, curves[node]) for node, where in nodes.items()}
-    lines = [_drawn(piece, places, local) for piece in pieces]
-    if sum(line.length for line in lines) < COMPACT * skeleton.width:
+    junctions = {node: _meeting(where, curves[node], own.loose) for node, where in nodes.items()}
+    lines = [_drawn(piece, junctions, local, own) for piece in pieces]
+    if sum(line.length for line in lines) < own.compact * skeleton.width:
         return []
     return [
-        (translate(line, *skeleton.origin), *_thickness(piece), _azimuth(piece.curve), piece.curve.radius)
+        (
+            translate(line, *skeleton.origin),
+            *_thickness(piece, own),
+            _azimuth(piece.curve),
+            piece.curve.radius,
+        )
         for line, piece in zip(lines, pieces)
-        if line.length > JOG
+        if line.length > own.jog_m
     ]
 
 
-def _pieces(chain: Chain, nodes: dict) -> list:
+def _pieces(chain: Chain, nodes: dict[int, np.ndarray], settings: CentrelineSettings) -> list[_Piece]:
     """Cut a chain into lines and arcs, and note the new node between each two."""
-    chain = _without_fans(chain)
-    if chain.length < SHORT * chain.width or len(chain.middles) < 3:
+    chain = _without_fans(chain, settings.fan)
+    shortest = settings.shortest * chain.width
+    if chain.length < shortest or len(chain.middles) < 3:
         return []
-    tolerance = WANDER[0] + WANDER[1] * chain.width
-    runs = _adjusted(chain.middles, _runs(chain.middles, tolerance, chain.width))
+    tolerance = settings.wander_m + settings.wander_share * chain.width
+    runs = _adjusted(chain.middles, _runs(chain.middles, tolerance, chain.width, settings))
     longest = max(runs, key=lambda run: _length(chain.middles, run))
-    runs = [run for run in runs if _length(chain.middles, run) >= SHORT * chain.width] or [longest]
+    runs = [run for run in runs if _length(chain.middles, run) >= shortest] or [longest]
     fitted = [_fitted(chain, run, tolerance) for run in runs]
     between = range(len(nodes), len(nodes) + len(fitted) - 1)
     for node, (before, *_), (after, *_) in zip(between, fitted, fitted[1:]):
@@ -138,32 +142,35 @@ def _pieces(chain: Chain, nodes: dict) -> list:
     return [_Piece(*parts, *pair) for parts, pair in zip(fitted, zip(ends, ends[1:]))]
 
 
-def _without_fans(chain: Chain) -> Chain:
+def _without_fans(chain: Chain, fan: float) -> Chain:
     """Cut off the ends of a chain that run into a corner of the wall's end."""
     lengths = np.linalg.norm(chain.chords, axis=1)
     first, last = 0, len(lengths) - 1
-    while chain.start is None and first + 3 < last and lengths[first + 1] > FAN * lengths[first]:
+    while chain.start is None and first + 3 < last and lengths[first + 1] > fan * lengths[first]:
         first += 1
-    while chain.end is None and first + 3 < last and lengths[last - 1] > FAN * lengths[last]:
+    while chain.end is None and first + 3 < last and lengths[last - 1] > fan * lengths[last]:
         last -= 1
     return replace(chain, middles=chain.middles[first : last + 1], chords=chain.chords[first : last + 1])
 
 
-def _runs(points: np.ndarray, tolerance: float, width: float) -> list:
-    """Return from where to where points lie on one curve, and how it is fitted: the longest runs in turn."""
-    runs, start = [], 0
+def _runs(points: np.ndarray, tolerance: float, width: float, settings: CentrelineSettings) -> list[_Run]:
+    """Return the runs of points that lie on one curve, each as long as possible."""
+    runs: list[_Run] = []
+    start = 0
     while start < len(points) - 1:
-        run = (start, _reach(points, start, fit_line, tolerance), fit_line)
-        curved = (start, _reach(points, start, fit_arc, tolerance), fit_arc)
-        if _length(points, curved) > max(CURVED * _length(points, run), 2 * width):
-            radius = fit_arc(points[slice(*curved[:2])]).radius
-            run = curved if width < radius < _length(points, curved) / BENT else run
+        run = _Run(start, _reach(points, start, line_through, tolerance), line_through)
+        curved = _Run(start, _reach(points, start, arc_through, tolerance), arc_through)
+        arc, length = arc_through(points[curved.start : curved.stop]), _length(points, curved)
+        if arc is not None and length > max(settings.curved * _length(points, run), 2 * width):
+            run = curved if width < arc.radius < length / settings.bent_rad else run
         runs.append(run)
-        start = run[1]
+        start = run.stop
     return runs
 
 
-def _reach(points: np.ndarray, start: int, fit, tolerance: float) -> int:
+def _reach(
+    points: np.ndarray, start: int, fit: Callable[[np.ndarray], Optional[Curve]], tolerance: float
+) -> int:
     """Return up to where points from `start` on lie within the tolerance of one curve."""
 
     def follows(stop: int) -> bool:
@@ -182,32 +189,35 @@ def _reach(points: np.ndarray, start: int, fit, tolerance: float) -> int:
     return low if len(points) - low > 1 else len(points)
 
 
-def _length(points: np.ndarray, run: tuple) -> float:
+def _length(points: np.ndarray, run: _Run) -> float:
     """Return the length of a run; a zigzag is as long as the line along it."""
-    points = points[run[0] : run[1]]
-    if run[2] is fit_line:
+    points = points[run.start : run.stop]
+    if run.fit is line_through:
         return float(np.linalg.norm(points[-1] - points[0]))
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
-def _adjusted(points: np.ndarray, runs: list) -> list:
+def _adjusted(points: np.ndarray, runs: list[_Run]) -> list[_Run]:
     """Move the borders between adjacent runs to where they fit best: the longest run reaches too far."""
     runs = list(runs)
     for i in range(len(runs) - 1):
         (a, b, fit), (c, d, other) = runs[i : i + 2]
         if b == c and min(b - a, d - c) > 3:
-            curves = (fit(points[a:b]) or fit_line(points[a:b]), other(points[c:d]) or fit_line(points[c:d]))
+            curves = (
+                fit(points[a:b]) or line_through(points[a:b]),
+                other(points[c:d]) or line_through(points[c:d]),
+            )
             off, beyond = (curve.distances(points[a:d]) for curve in curves)
             error = np.cumsum(off**2) + np.cumsum(beyond[::-1] ** 2)[::-1] - beyond**2
             border = a + 2 + int(np.argmin(error[2:-2]))
-            runs[i], runs[i + 1] = (a, border, fit), (border, d, other)
+            runs[i], runs[i + 1] = _Run(a, border, fit), _Run(border, d, other)
     return runs
 
 
-def _fitted(chain: Chain, run: tuple, tolerance: float) -> tuple:
+def _fitted(chain: Chain, run: _Run, tolerance: float) -> tuple[np.ndarray, np.ndarray, Curve]:
     """Return the middles and chords of a run, and the curve through them.
 
-    Half a thickness at each end, where the wall meets others or ends, has no say.
+    Half a thickness at each end, where the wall meets others or ends, is left out of the fit.
     """
     start, stop, fit = run
     points = chain.middles[start:stop]
@@ -216,16 +226,17 @@ def _fitted(chain: Chain, run: tuple, tolerance: float) -> tuple:
     core = (along >= margin) & (along <= along[-1] - margin)
     if core.sum() < 3:
         core[:] = True
-    points, curve = points[core], fit_line(points[core])
+    points = points[core]
+    curve: Curve = line_through(points)
     if curve.distances(points).max() > tolerance:
         curve = fit(points) or curve
     return points, chain.chords[start:stop][core], curve
 
 
-def _meeting(where: np.ndarray, curves: Sequence) -> np.ndarray:
-    """Return the point nearest to the curves that meet about a place."""
+def _meeting(where: np.ndarray, curves: Sequence[Curve], loose: float) -> np.ndarray:
+    """Return the point nearest to the curves that meet about a point."""
     for _ in range(2):
-        matrix, vector = LOOSE * np.eye(2), LOOSE * where
+        matrix, vector = loose * np.eye(2), loose * where
         for line in (curve.tangent(where) for curve in curves):
             normal = line.normal(where)
             matrix = matrix + np.outer(normal, normal)
@@ -234,16 +245,21 @@ def _meeting(where: np.ndarray, curves: Sequence) -> np.ndarray:
     return where
 
 
-def _drawn(piece: _Piece, places: dict, outline: Polygon) -> LineString:
+def _drawn(
+    piece: _Piece,
+    junctions: dict[int, np.ndarray],
+    outline: Polygon,
+    settings: CentrelineSettings,
+) -> LineString:
     """Draw a piece from node to node, or to the end of the wall."""
-    first = places.get(piece.start)
-    last = places.get(piece.end)
+    first, last = (None if node is None else junctions.get(node) for node in (piece.start, piece.end))
     first = _wall_end(piece.curve, piece.points, outline) if first is None else first
     last = _wall_end(piece.curve, piece.points[::-1], outline) if last is None else last
-    corners = piece.curve.between(np.concatenate([[first], piece.points, [last]]))
-    if np.linalg.norm(corners[0] - first) <= JOG:
+    row = np.concatenate([[first], piece.points, [last]])
+    corners = piece.curve.between(row, settings.curves.chord_m)
+    if np.linalg.norm(corners[0] - first) <= settings.jog_m:
         corners = corners[1:]
-    if np.linalg.norm(corners[-1] - last) <= JOG:
+    if np.linalg.norm(corners[-1] - last) <= settings.jog_m:
         corners = corners[:-1]
     return LineString(np.concatenate([[first], corners, [last]]))
 
@@ -260,11 +276,11 @@ def _wall_end(curve: Curve, points: np.ndarray, outline: Polygon) -> np.ndarray:
     return np.array(min(ends, key=lambda end: np.linalg.norm(np.subtract(end, start)))) if ends else start
 
 
-def _thickness(piece: _Piece) -> tuple:
+def _thickness(piece: _Piece, settings: CentrelineSettings) -> tuple[Optional[float], Optional[float]]:
     normals = np.array([piece.curve.normal(point) for point in piece.points])
     across = np.abs((piece.chords * normals).sum(axis=1))
     thickness = float(np.median(across))
-    return (None, None) if thickness < ONE_FACE else (thickness, float(np.std(across)))
+    return (None, None) if thickness < settings.one_face_m else (thickness, float(np.std(across)))
 
 
 def _azimuth(curve: Curve) -> Optional[float]:

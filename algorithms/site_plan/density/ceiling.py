@@ -54,7 +54,9 @@ def _ceilings(levels: np.ndarray, settings: CeilingSettings) -> np.ndarray:
 
 
 @njit(nogil=True, cache=True)
-def _levels(bits, held, side, lowest, cover, clear, clutter):
+def _levels(
+    bits: np.ndarray, held: np.ndarray, side: int, lowest: int, cover: float, clear: int, clutter: float
+) -> np.ndarray:
     """Return the bin of the lowest surface that covers each cell of `side` pixels; -1 without one."""
     rows, columns = (bits.shape[0] + side - 1) // side, (bits.shape[1] + side - 1) // side
     levels = np.full((rows, columns), -1, np.int64)
@@ -81,7 +83,9 @@ def _levels(bits, held, side, lowest, cover, clear, clutter):
 
 
 @njit(nogil=True, cache=True)
-def _hanging(bits, held, levels, side, reach, beam, gap):
+def _hanging(
+    bits: np.ndarray, held: np.ndarray, levels: np.ndarray, side: int, reach: int, beam: int, gap: int
+) -> np.ndarray:
     """Count the bins filled below the ceiling of each pixel's cell, or of a cell near it."""
     out = np.full(bits.shape, np.nan, np.float32)
     for row in range(levels.shape[0]):
@@ -104,7 +108,7 @@ def _hanging(bits, held, levels, side, reach, beam, gap):
 
 
 @njit(nogil=True, cache=True)
-def _lowest_beside(levels, row, column, reach):
+def _lowest_beside(levels: np.ndarray, row: int, column: int, reach: int) -> int:
     """Return the lowest of the levels around a cell; -1 without one."""
     lowest = -1
     for r in range(max(row - reach, 0), min(row + reach + 1, levels.shape[0])):
@@ -115,7 +119,7 @@ def _lowest_beside(levels, row, column, reach):
 
 
 @njit(nogil=True, cache=True)
-def _filled_below(word, level, gap):
+def _filled_below(word: int, level: int, gap: int) -> int:
     """Return the number of bins from the lowest that is filled without wider gaps up to `level`."""
     end = level
     for k in range(level - 1, -1, -1):
@@ -127,7 +131,7 @@ def _filled_below(word, level, gap):
 
 
 @njit(nogil=True, cache=True)
-def _is_one_piece(word, gap):
+def _is_one_piece(word: int, gap: int) -> bool:
     """Return whether all points stand on the ground: the head of a window hangs above its sill."""
     top = 63
     while top > 0 and not (word >> np.uint64(top)) & np.uint64(1):

@@ -244,7 +244,7 @@ class _Layers:
 
 
 @njit(nogil=True, cache=True)
-def _spread(density, xyz, x0, y0, step, neighbourhood):
+def _spread(density: np.ndarray, xyz: np.ndarray, x0: int, y0: int, step: int, neighbourhood: int) -> None:
     """Add each point with weights inverse to the distances from the pixel centres, of sum 1."""
     width = 2 * neighbourhood + 1
     weights = np.empty((width, width))
@@ -266,7 +266,20 @@ def _spread(density, xyz, x0, y0, step, neighbourhood):
 
 
 @njit(nogil=True, cache=True)
-def _stack(ground, bits, base, top, xyz, x0, y0, step, lattice, low, bins, bin_height):
+def _stack(
+    ground: np.ndarray,
+    bits: np.ndarray,
+    base: np.ndarray,
+    top: np.ndarray,
+    xyz: np.ndarray,
+    x0: int,
+    y0: int,
+    step: int,
+    lattice: float,
+    low: float,
+    bins: int,
+    bin_height: float,
+) -> None:
     """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
     for i in range(len(xyz)):
         column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step

@@ -94,7 +94,8 @@ def _connected(blocks: np.ndarray) -> np.ndarray:
         for dy in (-1, 0, 1)
         if (x + dx, y + dy) in number
     ]
-    return label_linked(*np.array(pairs).T, len(blocks))
+    first, second = np.array(pairs).T
+    return label_linked(first, second, len(blocks))
 
 
 def make_grid(

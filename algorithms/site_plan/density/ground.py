@@ -19,7 +19,7 @@ class LowestSurface:
     grid : Grid
         The ground cells; rows of the arrays count from the bottom.
     height : ndarray of float64, shape (rows, columns)
-        Metres; nan where there is no point.
+        Metres; nan without points.
     clear : ndarray of bool, shape (rows, columns)
         Whether there are fewer points right above the layer than in it, as above a ground.
     """
@@ -42,7 +42,7 @@ class LowestSurface:
 
 
 @njit(nogil=True, cache=True)
-def _layers(xyz, step, side, layer):
+def _layers(xyz: np.ndarray, step: int, side: int, layer: int) -> tuple[np.ndarray, np.ndarray]:
     """Count the points of each cell by layer, and sum their heights."""
     low, high = xyz[:, 2].min(), xyz[:, 2].max()
     layers = np.int64(high - low) // layer + 2
@@ -56,7 +56,9 @@ def _layers(xyz, step, side, layer):
 
 
 @njit(nogil=True, cache=True)
-def _lowest(counts, sums, support, enough, clearance):
+def _lowest(
+    counts: np.ndarray, sums: np.ndarray, support: float, enough: int, clearance: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean height of the lowest layer that, with the next, has support, and if it is clear."""
     rows, columns, layers = counts.shape
     height = np.full((rows, columns), np.nan)

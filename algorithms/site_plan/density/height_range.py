@@ -87,7 +87,7 @@ def cut(
     left, reach = [], []
     for key, tile in store.tiles(sorted(keys), progress, "Cutting by height"):
         z = tile.xyz[:, 2] * LATTICE
-        if ground is not None:
+        if ground is not None and grid is not None:
             z = z - ground[_pixels(tile, grid)]
         reach += [z.min(), z.max()]
         rows = np.flatnonzero((z >= heights.low) & (z < heights.high))

@@ -10,7 +10,7 @@ class SiteSettings:
     """Which points belong to the site, and how large it may be."""
 
     part_gap_m: float = judged(20.0, "Parts of a site lie nearer to each other; reflections lie farther off.")
-    stray_share: float = judged(1e-3, "A part with a smaller share of the points is no part of the site.")
+    stray_share: float = judged(1e-3, "A part with a smaller share of the points is left out.")
     sparse_share: float = judged(0.02, "A part with a larger share of the points is kept however thin it is.")
     sparse_cover: float = judged(
         0.1, "Reflections are thin: fewer points per tile than this share of the main part's."
@@ -66,7 +66,7 @@ class SpreadSettings:
     """How far the points of a pixel spread: it separates foliage from walls."""
 
     parts: int = judged(
-        4, "A pixel is cut so many times each way: finer parts than the noise is wide tell nothing more."
+        4, "A pixel is cut so many times each way: parts narrower than the noise add nothing."
     )
     fewest_points: int = judged(8, "The spread of fewer points is a matter of chance.")
 

@@ -7,7 +7,18 @@ from .settings import SpreadSettings
 
 
 @njit(nogil=True, cache=True)
-def count_in_parts(counts, ground, xyz, x0, y0, step, lattice, low, high, parts):
+def count_in_parts(
+    counts: np.ndarray,
+    ground: np.ndarray,
+    xyz: np.ndarray,
+    x0: int,
+    y0: int,
+    step: int,
+    lattice: float,
+    low: float,
+    high: float,
+    parts: int,
+) -> None:
     """Count the points between two heights above the ground in the parts of their pixels.
 
     A count stops at the largest number that `counts` can hold.
@@ -43,7 +54,7 @@ def spread_of(counts: np.ndarray, settings: SpreadSettings = SpreadSettings()) -
 
 
 @njit(nogil=True, cache=True)
-def _spread_of(counts, parts, fewest):
+def _spread_of(counts: np.ndarray, parts: int, fewest: int) -> np.ndarray:
     rows, columns = counts.shape[0] // parts, counts.shape[1] // parts
     spread = np.full((rows, columns), np.nan, np.float32)
     for row in range(rows):

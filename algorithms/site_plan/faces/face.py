@@ -1,4 +1,4 @@
-"""One side of a wall: a face, and the part of the outline that runs along it."""
+"""A face of a wall, and the part of a ring of an outline that runs along it."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -7,49 +7,30 @@ import numpy as np
 
 from ...geometry.circles import arc_through
 from ...geometry.curves import Curve, line_through
-from .face_fit import WIDE, Fit, fit_face
+from .face_fit import CurveFit, fit_curve
 from .face_points import FacePoints
-from .ridges import LEVELS, Ridges
-
-PATCH = 0.05
-"""Length (m) of the patches of a face, a level high, that count the same however many points they hold."""
-
-OVERHANG = 0.15
-"""How far (m) beyond the last ridge point a face is followed by its voxels."""
-
-SOLID = 0.2
-"""A face ends where its patches have less than this share of their usual number of levels: lintels go on."""
-
-OUTERMOST = 3
-"""It ends at the voxel that so many are not beyond; single voxels are noise."""
-
-SHORTEST = 0.06
-"""A face is at least so long, metres: a column of points is none."""
-
-ROUGH, ROUGHEST = 0.015, 0.027
-"""Faces with a larger rms (m) than the first may be foliage, and those with a larger than the second are."""
-
-OPEN = 0.2
-"""Before a face there are fewer voxels than this share of those on it; a bush is as full outside as in."""
+from .ridges import Ridges
+from .settings import FaceExtentSettings, FaceSettings
 
 
 @dataclass(frozen=True)
-class Side:
+class Face:
     """A face and the part of a ring that runs along it.
 
     Attributes
     ----------
     curve : Line or Arc
+        The wall is to its left.
     members : ndarray of int64, shape (n,)
-        Places of the ring that lie on it, increasing; those past the ring's end count on.
+        Stations of the ring that lie on it, increasing; those past the ring's end count on.
     ridge : ndarray of float64, shape (n, 2)
         Their ridge points.
     start, stop : float
-        Where the points of the face begin and end, as places along the curve, metres.
+        Where the points of the face begin and end, as stations of the curve, metres.
     rms : float
         Of the voxels about the curve, metres.
-    back : bool
-        Whether it is the back of a face that was seen from one side.
+    hidden : bool
+        Whether it is the back of a face that was seen from one side only.
     """
 
     curve: Curve
@@ -58,11 +39,11 @@ class Side:
     start: float
     stop: float
     rms: float
-    back: bool = False
+    hidden: bool = False
 
     @property
     def seen(self) -> float:
-        """Share of the places from the first to the last that have a ridge point."""
+        """Share of the stations from the first to the last that have a ridge point."""
         return len(self.members) / (self.members[-1] - self.members[0] + 1)
 
     @property
@@ -71,62 +52,79 @@ class Side:
         return self.stop - self.start
 
 
-def fit_side(members: np.ndarray, curved: bool, ridges: Ridges, points: FacePoints) -> Optional[Side]:
-    """Fit a face to the voxels beside places of a ring; None if there is none.
+def fit_face(
+    members: np.ndarray,
+    curved: bool,
+    ridges: Ridges,
+    points: FacePoints,
+    settings: FaceSettings = FaceSettings(),
+) -> Optional[Face]:
+    """Fit a face to the voxels beside stations of a ring; None if they show no face.
 
     Parameters
     ----------
     members : ndarray of int64, shape (n,)
-        See `Side`.
+        See `Face`.
     curved : bool
         Whether the face is round.
     ridges : Ridges
         Of the ring.
     points : FacePoints
+    settings : FaceSettings
     """
+    extent = settings.extent
     ridge = ridges.xy[members % len(ridges.xy)]
     curve = arc_through(ridge) if curved else line_through(ridge)
+    if curve is None:
+        return None
     start, stop = curve.ends(ridge)
     if stop <= start:
         return None
     rows = points.near(ridge)
-    place, offset = curve.station(points.xy[rows]), curve.offset(points.xy[rows])
-    rows = rows[(place > start - OVERHANG) & (place < stop + OVERHANG) & (np.abs(offset) < 2 * OVERHANG)]
+    station, offset = curve.station(points.xy[rows]), curve.offset(points.xy[rows])
+    beside = (station > start - extent.overhang_m) & (station < stop + extent.overhang_m)
+    rows = rows[beside & (np.abs(offset) < 2 * extent.overhang_m)]
     xy, level, count = points.xy[rows], points.level[rows], points.count[rows]
-    place = curve.station(xy)
-    own = (place >= start) & (place <= stop)
-    fit = fit_face(curve, xy[own], _area(place[own], level[own], count[own]))
+    station = curve.station(xy)
+    own = (station >= start) & (station <= stop)
+    area = _area(station[own], level[own], count[own], extent.patch_m)
+    fit = fit_curve(curve, xy[own], area, settings.fit)
     if fit is None:
         return None
     near = np.abs(fit.curve.offset(xy)) <= fit.reach
-    fewest = min(LEVELS, points.levels)
-    start, stop = _reach(fit.curve.station(xy[near]), level[near], fewest, *fit.curve.ends(ridge))
-    if stop - start < SHORTEST or _is_foliage(fit, xy[own]):
+    fewest = min(settings.ridges.fewest_levels, points.levels)
+    start, stop = _reach(fit.curve.station(xy[near]), level[near], fewest, fit.curve.ends(ridge), extent)
+    if stop - start < extent.shortest_m or _is_foliage(fit, xy[own], settings):
         return None
-    return Side(fit.curve, members, ridge, start, stop, fit.rms)
+    return Face(fit.curve, members, ridge, start, stop, fit.rms)
 
 
-def _is_foliage(fit: Fit, xy: np.ndarray) -> bool:
-    """Tell a bush, which has points before its densest line as well, from a rough face."""
+def _is_foliage(fit: CurveFit, xy: np.ndarray, settings: FaceSettings) -> bool:
+    """Return whether points belong to a bush: unlike a rough face, it has points before its densest line."""
+    extent, wide = settings.extent, settings.fit.wide_m
     offset = fit.curve.offset(xy)
-    before = np.count_nonzero((offset < -WIDE) & (offset > -2 * WIDE))
-    full = before > OPEN * np.count_nonzero(np.abs(offset) < WIDE)
-    return fit.rms > ROUGHEST or (fit.rms > ROUGH and full)
+    before = np.count_nonzero((offset < -wide) & (offset > -2 * wide))
+    full = before > extent.open_share * np.count_nonzero(np.abs(offset) < wide)
+    return fit.rms > extent.roughest_m or (fit.rms > extent.rough_m and full)
 
 
-def _reach(place: np.ndarray, level: np.ndarray, fewest: int, start: float, stop: float) -> tuple:
-    """Return where the voxels of a face begin and end, about where its ridge does."""
-    patch = np.floor(place / PATCH).astype(np.int64)
+def _reach(
+    station: np.ndarray, level: np.ndarray, fewest: int, ends: np.ndarray, settings: FaceExtentSettings
+) -> tuple[float, float]:
+    """Return where the voxels of a face begin and end, near the ends of its ridge."""
+    start, stop = ends
+    patch = np.floor(station / settings.patch_m).astype(np.int64)
     patches, levels = np.unique(np.unique(np.column_stack([patch, level]), axis=0)[:, 0], return_counts=True)
-    solid = patches[levels >= max(SOLID * np.median(levels), fewest)]
-    place = np.sort(place[np.isin(patch, solid)])
-    if len(place) < 2 * OUTERMOST:
+    solid = patches[levels >= max(settings.solid_share * np.median(levels), fewest)]
+    station = np.sort(station[np.isin(patch, solid)])
+    outermost = settings.outermost_voxels
+    if len(station) < 2 * outermost:
         return float(start), float(stop)
-    return float(min(place[OUTERMOST - 1], stop)), float(max(place[-OUTERMOST], start))
+    return float(min(station[outermost - 1], stop)), float(max(station[-outermost], start))
 
 
-def _area(place: np.ndarray, level: np.ndarray, count: np.ndarray) -> np.ndarray:
+def _area(station: np.ndarray, level: np.ndarray, count: np.ndarray, patch_m: float) -> np.ndarray:
     """Return the share that each voxel has of the points of its patch."""
-    patch = np.floor(place / PATCH).astype(np.int64)
+    patch = np.floor(station / patch_m).astype(np.int64)
     _, member = np.unique(patch * 64 + level, return_inverse=True)
     return count / np.bincount(member, count)[member]

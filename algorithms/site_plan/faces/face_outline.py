@@ -1,4 +1,4 @@
-"""Drawing a ring anew along its sides, which meet at corners or end where their points end."""
+"""Outlines along faces, which meet at corners or end where their points end."""
 
 from collections.abc import Sequence
 from typing import Optional
@@ -6,120 +6,117 @@ from typing import Optional
 import numpy as np
 from numba import njit
 
-from .face import Side
-from .face_fit import crossing
-from .ring_faces import RingSides
-
-CORNER_GAP = 0.6
-"""Neighbouring sides meet at a corner if the outline between them is shorter than this, metres."""
-
-CORNER_REACH = 0.3
-"""A corner is at most this far (m) beyond the points of its sides."""
-
-LEAST_ANGLE = 0.26
-"""Sine of the least angle at which two sides cross well enough for a corner: 15 degrees."""
-
-CHORD_GAP = 1.2
-"""Ends of sides are joined directly if the outline between them is shorter than this, metres."""
-
-LEAST_LEFT = 0.75
-"""Sides are dropped for crossing others as long as this share of their length is left; then the crossing
-stays, and is cut off the polygon."""
-
-INSIDE = 0.5
-"""An outline of pixels lies this many pixels outside the face."""
+from ...geometry.curves import crossing
+from .face import Face
+from .ring_faces import RingFaces
+from .settings import FaceOutlineSettings
 
 
-def redraw(ring: RingSides, pixel_size: float) -> tuple[np.ndarray, list]:
-    """Return the corners of a ring, shape (n, 2), the first not repeated, and the sides it runs along."""
+def redraw(
+    ring: RingFaces, pixel_size: float, settings: FaceOutlineSettings = FaceOutlineSettings()
+) -> tuple[np.ndarray, list[Face]]:
+    """Return the corners of a ring, shape (n, 2), the first not repeated, and the faces it runs along."""
     if ring.closed:
-        side = ring.sides[0]
-        around = np.pi * side.curve.radius
-        return side.curve.run(-around, around)[:-1], [side]
-    sides, crossing = list(ring.sides), None
-    while sides:
-        ends, joints = _ends(sides, ring)
+        face = ring.faces[0]
+        around = np.pi * face.curve.radius
+        return face.curve.run(-around, around, settings.curves.chord_m)[:-1], [face]
+    faces, crossed = list(ring.faces), None
+    while faces:
+        ends, joints = _ends(faces, ring, settings)
         wrong = {k for k, (start, stop) in enumerate(ends) if stop <= start}
         if not wrong:
-            corners, owner = _corners(sides, ends, joints, ring, pixel_size)
+            corners, owner = _corners(faces, ends, joints, ring, pixel_size, settings)
             wrong = set(owner[_crossed(corners)].tolist())
             if not wrong:
-                return corners, sides
-            crossing = crossing or (corners, list(sides))
-            if _length(sides) < LEAST_LEFT * _length(ring.sides):
-                return crossing
-        # Of sides that cross, or of which their corners leave nothing, the shortest is the least sure.
-        sides.pop(min(wrong, key=lambda k: (sides[k].length, k)))
-    return _pixel_path(ring, 0, len(ring.places.xy) - 1, pixel_size), []
+                return corners, faces
+            crossed = crossed or (corners, list(faces))
+            if _length(faces) < settings.least_left * _length(ring.faces):
+                return crossed
+        # The shortest face is the least sure: of those that cross, or that end before they begin.
+        faces.pop(min(wrong, key=lambda k: (faces[k].length, k)))
+    return _pixel_path(ring, 0, len(ring.stations.xy) - 1, settings.bias_px * pixel_size), []
 
 
-def _length(sides: Sequence) -> float:
-    return sum(side.length for side in sides)
+def _length(faces: Sequence[Face]) -> float:
+    return sum(face.length for face in faces)
 
 
-def _ends(sides: list, ring: RingSides) -> tuple:
+def _ends(
+    faces: list[Face], ring: RingFaces, settings: FaceOutlineSettings
+) -> tuple[list[tuple[float, float]], list[bool]]:
     """Return start and stop of each side along its curve, and whether it meets the next at a corner."""
-    starts, stops = [side.start for side in sides], [side.stop for side in sides]
+    starts, stops = [face.start for face in faces], [face.stop for face in faces]
     joints = []
-    for k, side in enumerate(sides):
-        following = (k + 1) % len(sides)
-        corner = _corner(side, sides[following], _between(side, sides[following], ring), ring.step)
+    for k, face in enumerate(faces):
+        following = (k + 1) % len(faces)
+        gap = _between(face, faces[following], ring) * ring.step
+        corner = _corner(face, faces[following], gap, settings)
         joints.append(corner is not None)
         if corner is not None:
-            stops[k] = float(side.curve.station(corner))
-            starts[following] = float(sides[following].curve.station(corner))
-        elif _goes_on(side, sides[following]):
+            stops[k] = float(face.curve.station(corner))
+            starts[following] = float(faces[following].curve.station(corner))
+        elif _continues(face, faces[following]):
             # Neither reaches beside the other.
-            middle = (side.ridge[-1] + sides[following].ridge[0]) / 2
-            stops[k] = min(stops[k], float(side.curve.station(middle)))
-            starts[following] = max(starts[following], float(sides[following].curve.station(middle)))
+            middle = (face.ridge[-1] + faces[following].ridge[0]) / 2
+            stops[k] = min(stops[k], float(face.curve.station(middle)))
+            starts[following] = max(starts[following], float(faces[following].curve.station(middle)))
     return list(zip(starts, stops)), joints
 
 
-def _goes_on(side: Side, following: Side) -> bool:
-    """Tell whether a side runs on about as the one before."""
-    return bool(side.curve.heading(side.ridge[-1]) @ following.curve.heading(following.ridge[0]) > 0)
+def _continues(face: Face, following: Face) -> bool:
+    """Return whether a face runs on about as the one before."""
+    return bool(face.curve.heading(face.ridge[-1]) @ following.curve.heading(following.ridge[0]) > 0)
 
 
-def _between(side: Side, following: Side, ring: RingSides) -> int:
-    """Return the number of places from a side to the following one."""
-    return int(following.members[0] - side.members[-1]) % len(ring.places.xy)
+def _between(face: Face, following: Face, ring: RingFaces) -> int:
+    """Return the number of stations from a face to the following one."""
+    return int(following.members[0] - face.members[-1]) % len(ring.stations.xy)
 
 
-def _corner(side: Side, following: Side, between: int, step: float) -> Optional[np.ndarray]:
-    """Return the corner of two neighbouring sides, if they cross well and near their points."""
-    if between * step > CORNER_GAP:
+def _corner(face: Face, following: Face, gap: float, settings: FaceOutlineSettings) -> Optional[np.ndarray]:
+    """Return the corner of two neighbouring faces, if they cross well and near their points."""
+    if gap > settings.corner_gap_m:
         return None
-    end, begin = side.curve.at(side.stop), following.curve.at(following.start)
-    corner = crossing(side.curve, following.curve, (end + begin) / 2)
-    if corner is None or max(np.hypot(*(corner - end)), np.hypot(*(corner - begin))) > CORNER_REACH:
+    end, begin = face.curve.at(face.stop), following.curve.at(following.start)
+    corner = crossing(face.curve, following.curve, (end + begin) / 2)
+    if corner is None:
         return None
-    one, other = side.curve.heading(corner), following.curve.heading(corner)
-    return corner if abs(one[0] * other[1] - one[1] * other[0]) >= LEAST_ANGLE else None
+    if max(np.hypot(*(corner - end)), np.hypot(*(corner - begin))) > settings.corner_reach_m:
+        return None
+    one, other = face.curve.heading(corner), following.curve.heading(corner)
+    return corner if abs(one[0] * other[1] - one[1] * other[0]) >= settings.least_sine else None
 
 
-def _corners(sides: list, ends: list, joints: list, ring: RingSides, pixel_size: float) -> tuple:
-    """Return the corners of the ring, and the number of the side that goes on from each."""
-    parts, owner = [], []
-    for k, side in enumerate(sides):
-        run = side.curve.run(*ends[k])
+def _corners(
+    faces: list[Face],
+    ends: list[tuple[float, float]],
+    joints: list[bool],
+    ring: RingFaces,
+    pixel_size: float,
+    settings: FaceOutlineSettings,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the corners of the ring, and the number of the face that begins or continues at each."""
+    parts: list[np.ndarray] = []
+    owner: list[int] = []
+    for k, face in enumerate(faces):
+        run = face.curve.run(*ends[k], settings.curves.chord_m)
         parts.append(run[:-1] if joints[k] else run)
-        between, last = _between(side, sides[(k + 1) % len(sides)], ring), int(side.members[-1])
-        if not joints[k] and between > 1 and between * ring.step > CHORD_GAP:
-            parts.append(_pixel_path(ring, last + 1, last + between - 1, pixel_size))
+        between, last = _between(face, faces[(k + 1) % len(faces)], ring), int(face.members[-1])
+        if not joints[k] and between > 1 and between * ring.step > settings.chord_gap_m:
+            parts.append(_pixel_path(ring, last + 1, last + between - 1, settings.bias_px * pixel_size))
         owner += [k] * (sum(map(len, parts)) - len(owner))
     return np.concatenate(parts), np.array(owner)
 
 
 def _crossed(corners: np.ndarray) -> np.ndarray:
-    """Tell the edges of a ring that cross others."""
+    """Return the edges of a ring that cross others."""
     order = np.argsort(np.minimum(corners[:, 0], np.roll(corners[:, 0], -1)), kind="stable")
     return _sweep(corners, order)
 
 
 @njit(nogil=True, cache=True)
-def _sweep(corners, order):
-    """Tell the edges that cross others; `order` is that of their western ends."""
+def _sweep(corners: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """Return the edges that cross others; `order` is that of their western ends."""
     n = len(corners)
     crossed = np.zeros(n, np.bool_)
     for rank in range(n):
@@ -143,12 +140,12 @@ def _sweep(corners, order):
     return crossed
 
 
-def _pixel_path(ring: RingSides, first: int, last: int, pixel_size: float) -> np.ndarray:
-    """Return the places of an outline of pixels, freed of the bias that it has."""
-    rows = np.arange(first, last + 1) % len(ring.places.xy)
-    tangent = ring.places.tangent[rows]
+def _pixel_path(ring: RingFaces, first: int, last: int, bias: float) -> np.ndarray:
+    """Return the corners of an outline of pixels, freed of its bias (m)."""
+    rows = np.arange(first, last + 1) % len(ring.stations.xy)
+    tangent = ring.stations.tangent[rows]
     bend = np.abs(np.diff(tangent, axis=0)).max(axis=1, initial=0.0) > 1e-6
     kept = np.r_[True, bend] | np.r_[bend, True]
     rows, tangent = rows[kept], tangent[kept]
     inwards = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-    return ring.places.xy[rows] + INSIDE * pixel_size * inwards
+    return ring.stations.xy[rows] + bias * inwards

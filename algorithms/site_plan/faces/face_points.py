@@ -1,7 +1,7 @@
 """The points of the walls' faces: those near the outlines of pixels, thinned to voxels.
 
 A voxel counts once however many points it holds, so that a face counts by its area, not by how near the
-scanner stood. Its place is the mean of its points, so that thinning costs no accuracy.
+scanner stood. Its position is the mean of its points, so that thinning costs no accuracy.
 """
 
 from dataclasses import dataclass
@@ -14,30 +14,18 @@ from ...clouds.tiles.lattice import LATTICE, to_lattice
 from ...clouds.tiles.tile_store import Tile
 from ...progress import Progress
 from ..density.density_image import DensityImage, SortedPoints
+from .settings import FacePointSettings
 
-REACH = 0.3
-"""Points up to this far (m) from a wall pixel may belong to its faces."""
-
-VOXEL = 0.02
-"""Edge of a voxel in plan, metres."""
-
-LEVELS = 40
-"""Number of levels that the window of heights is cut into: of 5 cm as a rule."""
-
-SEEN = 0.5
-"""Where fewer of the wall pixels than this share are occupied in the usual window, as in a horizontal slice,
-all heights are taken."""
+SQUARE = 0.25
+"""Edge of the squares of the index of voxels, metres."""
 
 ROUNDING = 1e-3
-"""Larger than what heights in a band of float32 are rounded by, metres."""
-
-BIN = 0.25
-"""Edge of the squares by which voxels are looked up, metres."""
+"""Larger than the rounding of heights in a band of float32, metres."""
 
 
 @dataclass(frozen=True)
 class FacePoints:
-    """Voxels near walls, sorted by squares of `BIN`.
+    """Voxels near walls, sorted by squares of `SQUARE`.
 
     Attributes
     ----------
@@ -62,9 +50,9 @@ class FacePoints:
     columns: int
     levels: int
 
-    def near(self, places: np.ndarray) -> np.ndarray:
-        """Return the rows of the voxels in the squares of places (n, 2) and the squares around them."""
-        column, row = np.floor(places.T / BIN).astype(np.int64) + 1
+    def near(self, xy: np.ndarray) -> np.ndarray:
+        """Return the rows of the voxels in the squares of points (n, 2) and the squares around them."""
+        column, row = np.floor(xy.T / SQUARE).astype(np.int64) + 1
         centres = np.unique(row * self.columns + column)
         around = np.arange(-1, 2)
         squares = np.unique(centres[:, None, None] + around[:, None] * self.columns + around)
@@ -76,7 +64,7 @@ class FacePoints:
 
 def face_points(xy: np.ndarray, level: np.ndarray, count: np.ndarray) -> FacePoints:
     """Sort voxels; `xy` must not be negative."""
-    column, row = np.floor(xy.T / BIN).astype(np.int64) + 1
+    column, row = np.floor(xy.T / SQUARE).astype(np.int64) + 1
     columns = int(column.max(initial=0)) + 2
     square = row * columns + column
     order = np.lexsort((xy[:, 1], xy[:, 0], level, square))
@@ -84,7 +72,11 @@ def face_points(xy: np.ndarray, level: np.ndarray, count: np.ndarray) -> FacePoi
 
 
 def gather_face_points(
-    points: SortedPoints, image: DensityImage, walls: np.ndarray, progress: Progress = Progress()
+    points: SortedPoints,
+    image: DensityImage,
+    walls: np.ndarray,
+    progress: Progress = Progress(),
+    settings: FacePointSettings = FacePointSettings(),
 ) -> FacePoints:
     """Gather the voxels near wall pixels, in one pass over the points; relative to the image's lower left.
 
@@ -98,33 +90,46 @@ def gather_face_points(
         Wall pixels, the top row first.
     progress : Progress
         Reports and cancels.
+    settings : FacePointSettings
     """
     grid = points.grid
-    reach = round(to_lattice(REACH) / grid.step) + 0.5
+    reach = round(to_lattice(settings.reach_m) / grid.step) + 0.5
     near = (ndimage.distance_transform_edt(~walls) <= reach)[::-1]
     ground = image.ground[::-1]
-    low, high = _window(image, walls)
+    low, high = _window(image, walls, settings)
+    window = low, high, (high - low) / settings.levels
     blocks = []
     for _, tile in points.store.tiles(points.keys, progress, "Gathering the points of the faces"):
         offset = np.array([tile.corner[i] - grid.corner[i] for i in (0, 1)])
-        level = _levels(near, ground, tile.xyz, *offset, grid.step, LATTICE, low, high, (high - low) / LEVELS)
-        blocks.append(_voxels(tile, level, offset))
+        level = _levels(near, ground, tile.xyz, *offset, grid.step, LATTICE, *window)
+        blocks.append(_voxels(tile, level, offset, to_lattice(settings.voxel_m)))
     xy, level, count = (np.concatenate(parts) for parts in zip(*blocks))
     return face_points(xy, level, count)
 
 
-def _window(image: DensityImage, walls: np.ndarray) -> tuple:
+def _window(image: DensityImage, walls: np.ndarray, settings: FacePointSettings) -> tuple[float, float]:
     """Return the lowest and the highest height above the ground at which faces are looked for, metres."""
-    if np.mean(image.occupied[walls] > 0) >= SEEN:
+    if np.mean(image.occupied[walls] > 0) >= settings.seen_share:
         return image.window.lowest_m, image.window.highest_m
     low, high = (band[walls] - image.ground[walls] for band in (image.base, image.top))
     # The bands are rounded to float32.
-    return float(np.nanmin(low)) - ROUNDING, float(np.nanpercentile(high, 99)) + ROUNDING
+    return float(np.nanmin(low)) - ROUNDING, float(np.nanpercentile(high, settings.top_percentile)) + ROUNDING
 
 
 @njit(nogil=True, cache=True)
-def _levels(near, ground, xyz, x0, y0, step, lattice, low, high, level_height):
-    """Return the level of each point above the ground, -1 where it is of no use."""
+def _levels(
+    near: np.ndarray,
+    ground: np.ndarray,
+    xyz: np.ndarray,
+    x0: int,
+    y0: int,
+    step: int,
+    lattice: float,
+    low: float,
+    high: float,
+    level_height: float,
+) -> np.ndarray:
+    """Return the level of each point above the ground, -1 where it is not used."""
     level = np.full(len(xyz), -1, np.int64)
     for i in range(len(xyz)):
         column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
@@ -135,11 +140,12 @@ def _levels(near, ground, xyz, x0, y0, step, lattice, low, high, level_height):
     return level
 
 
-def _voxels(tile: Tile, level: np.ndarray, offset: np.ndarray) -> tuple:
-    """Return mean places (m), levels and numbers of points of the voxels of a tile."""
+def _voxels(
+    tile: Tile, level: np.ndarray, offset: np.ndarray, edge: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return mean positions (m), levels and numbers of points of the voxels of a tile."""
     used = level >= 0
     xyz, level = tile.xyz[used].astype(np.int64), level[used]
-    edge = to_lattice(VOXEL)
     across = tile.edge // edge + 1
     key = (level * across + xyz[:, 1] // edge) * across + xyz[:, 0] // edge
     voxel, member, count = np.unique(key, return_inverse=True, return_counts=True)

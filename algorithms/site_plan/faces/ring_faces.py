@@ -1,4 +1,4 @@
-"""The sides of a wall along one ring of its outline."""
+"""The faces of a wall along one ring of its outline."""
 
 from dataclasses import dataclass
 from typing import Callable, Optional
@@ -6,105 +6,105 @@ from typing import Callable, Optional
 import numpy as np
 
 from ...geometry.curves import Arc
-from .face import Side, fit_side
+from .face import Face, fit_face
 from .face_points import FacePoints
-from .ridge_segments import cut_into_pieces, scatter_of
-from .ridges import Places, Ridges, find_ridges, places_along
+from .ridge_segments import cut_into_segments, scatter_of
+from .ridges import Ridges, Stations, find_ridges, stations_along
+from .settings import FaceSettings, RingSettings
 
-GAP = 0.4
-"""A face goes on behind what hides it for up to this length (m) of an outline."""
-
-SAME_WAY = 0.9
-"""Least cosine of the directions of two pieces that may be one face."""
-
-NO_WORSE = 1.15
-"""Two pieces are one face if it fits their points with at most so many times their rms, and each on average
-lies within that of it: what parts them is then the relief of the face."""
+Fit = Callable[[np.ndarray, bool], Optional[Face]]
 
 
 @dataclass(frozen=True)
-class RingSides:
-    """A ring of an outline, and its sides in the ring's order.
+class RingFaces:
+    """A ring of an outline, and its faces in the ring's order.
 
     Attributes
     ----------
-    places : Places
+    stations : Stations
     step : float
-        Distance of the places, metres.
-    sides : tuple of Side
+        Distance of the stations, metres.
+    faces : tuple of Face
     closed : bool
-        Whether a single side goes all the way round.
+        Whether a single face runs all the way round.
     """
 
-    places: Places
+    stations: Stations
     step: float
-    sides: tuple
+    faces: tuple[Face, ...]
     closed: bool = False
 
 
-def find_sides(ring: np.ndarray, points: FacePoints, pixel_size: float) -> RingSides:
-    """Find the sides of a ring, shape (n + 1, 2), the wall to its left."""
-    places = places_along(ring, pixel_size)
-    ridges = find_ridges(places, points, pixel_size)
-    step = float(np.hypot(*np.diff(ring, axis=0).T).sum() / len(places.xy))
+def find_faces(
+    ring: np.ndarray, points: FacePoints, pixel_size: float, settings: FaceSettings = FaceSettings()
+) -> RingFaces:
+    """Find the faces of a ring, shape (n + 1, 2), the wall to its left."""
+    stations = stations_along(ring, pixel_size, settings.ridges)
+    ridges = find_ridges(stations, points, pixel_size, settings.ridges)
+    count = len(stations.xy)
+    step = float(np.hypot(*np.diff(ring, axis=0).T).sum() / count)
     found = np.flatnonzero(ridges.found)
-    pieces = _pieces(found, ridges, step)
-    if pieces:
-        # The row is cut where a piece begins, and looked at again, so that its beginning is no corner.
-        begin = np.searchsorted(found, pieces[len(pieces) // 2][0][0])
-        found = np.r_[found[begin:], found[:begin] + len(places.xy)]
-        pieces = _pieces(found, ridges, step)
+    segments = _segments(found, ridges, step, settings)
+    if segments:
+        # Cut again from where a segment begins, so that the row's own beginning makes no corner.
+        begin = np.searchsorted(found, segments[len(segments) // 2][0][0])
+        found = np.r_[found[begin:], found[:begin] + count]
+        segments = _segments(found, ridges, step, settings)
 
-    def fit(members: np.ndarray, curved: bool) -> Optional[Side]:
-        return fit_side(members, curved, ridges, points)
+    def fit(members: np.ndarray, curved: bool) -> Optional[Face]:
+        return fit_face(members, curved, ridges, points, settings)
 
-    sides = [side for side in (fit(members, curved) for members, curved in pieces) if side is not None]
-    sides = tuple(_joined(sides, fit, round(GAP / step)))
-    return RingSides(places, step, sides, _goes_round(sides, len(places.xy), step))
+    fitted = [face for face in (fit(*segment) for segment in segments) if face is not None]
+    faces = tuple(_joined(fitted, fit, round(settings.rings.gap_m / step), settings.rings))
+    return RingFaces(stations, step, faces, _is_closed(faces, count, step, settings.rings))
 
 
-def _pieces(found: np.ndarray, ridges: Ridges, step: float) -> list:
-    """Return the places of each piece, and whether it is curved."""
-    sigma = scatter_of(ridges.xy[found % len(ridges.xy)])
-    pieces = []
-    for row in np.split(found, np.flatnonzero(np.diff(found) * step > GAP) + 1):
+def _segments(
+    found: np.ndarray, ridges: Ridges, step: float, settings: FaceSettings
+) -> list[tuple[np.ndarray, bool]]:
+    """Return the stations of each segment, and whether it is curved."""
+    sigma = scatter_of(ridges.xy[found % len(ridges.xy)], settings=settings.segments)
+    segments = []
+    for row in np.split(found, np.flatnonzero(np.diff(found) * step > settings.rings.gap_m) + 1):
         rows = row % len(ridges.xy)
-        cut = cut_into_pieces(ridges.xy[rows], ridges.direction[rows], sigma)
-        pieces += [(row[piece.first : piece.last + 1], piece.curved) for piece in cut]
-    return pieces
+        cut = cut_into_segments(ridges.xy[rows], ridges.direction[rows], sigma, settings.segments)
+        segments += [(row[segment.first : segment.last + 1], segment.curved) for segment in cut]
+    return segments
 
 
-def _joined(sides: list, fit: Callable, gap: int) -> list:
-    """Join neighbours that are pieces of one face."""
+def _joined(faces: list[Face], fit: Fit, gap: int, settings: RingSettings) -> list[Face]:
+    """Join neighbours that belong to one face."""
     k = 0
-    while k + 1 < len(sides):
-        joined = _join(sides[k], sides[k + 1], fit, gap)
+    while k + 1 < len(faces):
+        joined = _join(faces[k], faces[k + 1], fit, gap, settings)
         if joined is None:
             k += 1
         else:
-            sides[k : k + 2] = [joined]
+            faces[k : k + 2] = [joined]
             k = max(k - 1, 0)
-    return sides
+    return faces
 
 
-def _join(one: Side, other: Side, fit: Callable, gap: int) -> Optional[Side]:
+def _join(one: Face, other: Face, fit: Fit, gap: int, settings: RingSettings) -> Optional[Face]:
+    """Return the face that two neighbours are parts of, or None."""
     curved = isinstance(one.curve, Arc)
     if curved != isinstance(other.curve, Arc) or other.members[0] - one.members[-1] > gap:
         return None
-    ways = one.curve.heading(one.ridge[-1]) @ other.curve.heading(other.ridge[0])
-    if ways < SAME_WAY:
+    cosine = one.curve.heading(one.ridge[-1]) @ other.curve.heading(other.ridge[0])
+    if cosine < settings.least_cosine:
         return None
     joined = fit(np.r_[one.members, other.members], curved)
     if joined is None:
         return None
     weights = len(one.members), len(other.members)
     apart = np.sqrt(np.average([one.rms**2, other.rms**2], weights=weights))
-    shift = max(abs(np.median(joined.curve.offset(side.ridge))) for side in (one, other))
-    return joined if max(joined.rms, shift) <= NO_WORSE * apart else None
+    shift = max(abs(np.median(joined.curve.offset(face.ridge))) for face in (one, other))
+    return joined if max(joined.rms, shift) <= settings.worse * apart else None
 
 
-def _goes_round(sides: tuple, count: int, step: float) -> bool:
-    if len(sides) != 1:
+def _is_closed(faces: tuple[Face, ...], count: int, step: float, settings: RingSettings) -> bool:
+    """Return whether a single round face runs all the way round a ring of so many stations."""
+    if len(faces) != 1:
         return False
-    free = count - (sides[0].members[-1] - sides[0].members[0])
-    return isinstance(sides[0].curve, Arc) and free * step < GAP
+    free = count - (faces[0].members[-1] - faces[0].members[0])
+    return isinstance(faces[0].curve, Arc) and bool(free * step < settings.gap_m)

@@ -1,28 +1,22 @@
 """The pictures of the report of a site plan."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Optional
 
 import numpy as np
 from affine import Affine
-from shapely.geometry import Polygon
 
-from ...reporting.html import Markup, element
-from ...reporting.maps import Map
-from ...reporting.pictures import image, shrunk
-from ..site_plan import SitePlan
-from ..walls.height_gate import Gate
-from ..walls.regions import Selection
+from ...reporting.pictures import shrunk
+from ..results import SitePlan
+from ..walls.extraction import Verdict
 
 MARGIN = 0.1
 """Share of what may be wall that is shown around it."""
 
 LARGEST, THUMBNAIL = 1200, 300
 """Most pixels of a raster that a picture is wide or high; blocks of more become one."""
-
-FACE, ROOM = "#a8321a", "#2a8a96"
 
 
 class Fate(IntEnum):
@@ -53,6 +47,13 @@ COLOURS = {
     Fate.WALL: (34, 48, 58),
 }
 
+FATE_OF = {
+    Verdict.FAINT: Fate.UNSEEN,
+    Verdict.SMALL: Fate.SMALL,
+    Verdict.MISSHAPEN: Fate.MISSHAPEN,
+    Verdict.KEPT: Fate.WALL,
+}
+
 
 @dataclass(frozen=True)
 class View:
@@ -61,15 +62,12 @@ class View:
     Attributes
     ----------
     rows, columns : slice
-    world : Map
-        Of that part.
     corners : ndarray, shape (2, 2)
         World coordinates of its north-west and south-east corners.
     """
 
     rows: slice
     columns: slice
-    world: Map
     corners: np.ndarray
 
     @classmethod
@@ -82,66 +80,22 @@ class View:
             for found, size in zip(places, pixels.shape)
         )
         corners = np.array([transform * (columns.start, rows.start), transform * (columns.stop, rows.stop)])
-        return cls(rows, columns, Map.around(corners), corners)
+        return cls(rows, columns, corners)
 
     def part(self, values: np.ndarray) -> np.ndarray:
         """Return the part of an array that is shown."""
         return values[self.rows, self.columns]
 
-    def sheet(self, rgb: np.ndarray, *parts: Markup) -> Markup:
-        """Return a map over a picture of the part."""
-        (left, top), (right, bottom) = self.world.place(self.corners)
-        return self.world.sheet(image(rgb, left, top, right - left, bottom - top), *parts)
 
-    def areas(self, outlines: Iterable, colour: str, opacity: float) -> Markup:
-        """Return polygons, filled and bordered in a colour."""
-        path = "".join(self._ring(ring) for outline in outlines for ring in _rings(outline))
-        return element(
-            "path",
-            d=path,
-            fill=colour,
-            fill_opacity=opacity,
-            fill_rule="evenodd",
-            stroke=colour,
-            stroke_width=1,
-        )
-
-    def _ring(self, ring) -> str:
-        return (
-            "M"
-            + "L".join(f"{x:.1f} {y:.1f}" for x, y in self.world.place(np.asarray(ring.coords)[:-1]))
-            + "z"
-        )
-
-
-def _rings(outline: Polygon) -> tuple:
-    return (outline.exterior, *outline.interiors)
-
-
-def fates(
-    plan: SitePlan, view: View, gate: Gate, held: np.ndarray, small: np.ndarray, misshapen: np.ndarray
-) -> np.ndarray:
-    """Tell what became of each pixel that is shown, as `Fate`; uint8.
-
-    Parameters
-    ----------
-    plan : SitePlan
-    view : View
-        The part to show.
-    gate : Gate
-        With which the plan was made.
-    held : ndarray of bool, shape (rows, columns)
-        Pixels that hold density.
-    small, misshapen : ndarray of bool, shape (rows, columns)
-        Pixels that belonged, at any threshold, to a region removed by area or by shape.
-    """
-    found, held = plan.image, view.part(held)
+def fates(plan: SitePlan, view: View) -> np.ndarray:
+    """Return what became of each pixel that a view shows, as `Fate`; uint8."""
+    found, gate, held = plan.image, plan.image.gate, view.part(np.isfinite(plan.density.density))
     low = ~view.part(gate.tall) & ~view.part(gate.flat)
     rules = {
         Fate.WALL: view.part(found.votes) > 0,
         Fate.CLOSED: view.part(found.walls),
-        Fate.MISSHAPEN: view.part(misshapen),
-        Fate.SMALL: view.part(small),
+        Fate.MISSHAPEN: view.part(found.removed(Verdict.MISSHAPEN)),
+        Fate.SMALL: view.part(found.removed(Verdict.SMALL)),
         Fate.FAINT: view.part(found.gated) > 0,
         Fate.FOLIAGE: _known(gate.foliage, view, held),
         Fate.FURNITURE: _known(gate.furniture, view, held),
@@ -155,18 +109,12 @@ def _known(mask: Optional[np.ndarray], view: View, held: np.ndarray) -> np.ndarr
     return np.zeros_like(held) if mask is None else view.part(mask)
 
 
-def fates_at(selection: Selection, view: View) -> np.ndarray:
-    """Tell what became of the pixels above one threshold that are shown."""
-    return _numbered(
-        {
-            Fate.WALL: view.part(selection.kept),
-            Fate.MISSHAPEN: view.part(selection.misshapen),
-            Fate.SMALL: view.part(selection.small),
-        }
-    )
+def fates_at(verdicts: np.ndarray, view: View) -> np.ndarray:
+    """Return what became, at one threshold, of the pixels that a view shows; from their `Verdict`."""
+    return np.array([FATE_OF[verdict] for verdict in Verdict], np.uint8)[view.part(verdicts)]
 
 
-def _numbered(rules: dict) -> np.ndarray:
+def _numbered(rules: Mapping[Fate, np.ndarray]) -> np.ndarray:
     """Return the number of the first rule that holds."""
     return np.select(list(rules.values()), [np.uint8(fate) for fate in rules], np.uint8(Fate.UNSEEN))
 

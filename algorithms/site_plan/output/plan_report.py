@@ -1,122 +1,104 @@
-"""REPORT: a site plan as a page to read: how it came about, and which parameter to turn."""
+"""REPORT: a site plan as a page to read: how it came about, and which parameter to change."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple, Optional
 
 import numpy as np
 
 from ...reporting.charts import histogram
-from ...reporting.html import Markup, element, figure, notes, number, paragraph, section, table, write_page
+from ...reporting.maps import Map
+from ...reporting.numbers import number
+from ...reporting.page import write_page
 from ...reporting.pictures import embedded, grey
 from ..density.density_image import DensityImage
+from ..results import SitePlan
 from ..rooms.rooms import Room
-from ..site_plan import SitePlan
-from ..walls.extraction import select_by_threshold
-from ..walls.height_gate import Gate, make_gate
-from ..walls.thresholds import surface_rule
-from .plan_pictures import COLOURS, FACE, ROOM, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
+from ..settings import SitePlanSettings
+from ..walls.extraction import ThresholdStep
+from .plan_pictures import COLOURS, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
+
+TEMPLATE = Path(__file__).parent / "templates" / "site_plan.html"
 
 MOST_PICTURES = 12
-"""Of so many thresholds the page shows what they find; evenly chosen if there are more."""
+"""Thresholds of which the page shows what they find; evenly chosen if there are more."""
 
 MOST_ROWS = 300
-"""The tables list so many walls and rooms at most; the layers hold all."""
+"""Walls and rooms that the tables list at most; the layers hold all."""
+
+FACE, ROOM = "#a8321a", "#2a8a96"
 
 
-@dataclass(frozen=True)
-class _Steps:
-    """What the criteria did over the thresholds.
+class _FateRow(NamedTuple):
+    """A row of the table of fates: the area in m2, and which parameter to change."""
 
-    Attributes
-    ----------
-    small, misshapen : ndarray of bool, shape (rows, columns)
-        Pixels of regions that were removed at any threshold.
-    rows : list of tuple
-        Threshold, regions, of them too small, of them misshapen.
-    pictures : list of (str, str)
-        Captions and addresses.
-    """
-
-    small: np.ndarray
-    misshapen: np.ndarray
-    rows: list
-    pictures: list
+    colour: str
+    pixels: str
+    area: float
+    remedy: str
 
 
-def write_report(
-    path: Path, plan: SitePlan, image: DensityImage, settings: dict, rooms: Sequence[Room] = ()
-) -> None:
+def write_report(path: Path, plan: SitePlan) -> None:
     """Write the report as one HTML page.
-
-    Parameters
-    ----------
-    path : Path
-    plan : SitePlan
-    image : DensityImage
-        What the plan was made from.
-    settings : dict of str to str
-        Further parameters of the run and their values.
-    rooms : sequence of Room
-        If they were looked for.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    gate = make_gate(image.density, image.heights, plan.image.parameters.min_height, image.transform.a)
-    view = View.around(plan.image.gated > 0, image.transform)
-    steps = _steps(plan, gate, view, image.transform.a)
+    view = View.around(plan.image.gated > 0, plan.transform)
+    fate = fates(plan, view)
+    areas = np.bincount(fate.ravel(), minlength=len(Fate)) * plan.transform.a**2
     write_page(
         path,
-        "Site plan",
-        paragraph(_totals(plan, rooms)),
-        notes((*image.warnings, *plan.image.warnings)),
-        section("Plan", _final(plan, image, view, rooms)),
-        section("What became of the pixels", *_removed(plan, image, gate, view, steps)),
-        section("Thresholds", *_thresholds(plan, image, steps)),
-        section("Density image", _density(image, view)),
-        section("Parameters", _parameters(plan, image, gate, settings)),
-        section("Walls", _walls(plan)),
-        section("Rooms", _rooms(rooms)) if rooms else Markup(),
+        TEMPLATE,
+        plan=plan,
+        image=plan.density,
+        rooms=plan.rooms or (),
+        warnings=plan.warnings,
+        plan_map=_plan_map(plan, view),
+        fate_map=_map(view, coloured(fate)),
+        fates=_fate_rows(plan, areas),
+        pictures=_pictures(plan, view),
+        histogram=_histogram(plan),
+        steps=[_step_row(step) for step in plan.image.steps],
+        density_map=_map(view, _grey(plan.density, view)),
+        parameters=_parameters(plan),
+        wall_rows=_wall_rows(plan),
+        room_rows=_room_rows(plan.rooms or ()),
     )
 
 
-def _totals(plan: SitePlan, rooms: Sequence[Room]) -> str:
-    walls = f"Walls: {len(plan.walls)}, {plan.area:.2f} m² in plan, {plan.length:.1f} m long"
-    if not rooms:
-        return f"{walls}."
-    return f"{walls}. Rooms: {len(rooms)}, {sum(room.area for room in rooms):.2f} m²."
+def _step_row(step: ThresholdStep) -> tuple[str, ...]:
+    return number(step.threshold, 2), *map(str, (step.regions, step.too_small, step.wrong_shape))
 
 
-def _steps(plan: SitePlan, gate: Gate, view: View, pixel_size: float) -> _Steps:
-    """Go through the thresholds as the extraction did, and note what it had no use for."""
-    found = plan.image
-    values = found.thresholds.values
-    shown = set(np.linspace(0, len(values) - 1, min(len(values), MOST_PICTURES)).round().astype(int).tolist())
-    steps = _Steps(np.zeros(found.walls.shape, bool), np.zeros(found.walls.shape, bool), [], [])
-    selections = select_by_threshold(found.gated, found.thresholds, pixel_size, found.criteria, gate.column)
-    for i, selection in enumerate(selections):
-        np.logical_or(steps.small, selection.small, out=steps.small)
-        np.logical_or(steps.misshapen, selection.misshapen, out=steps.misshapen)
-        counts = (selection.regions, selection.too_small, selection.wrong_shape)
-        steps.rows.append((values[i], *counts))
-        if i in shown:
-            kept = counts[0] - counts[1] - counts[2]
-            picture = embedded(coloured(fates_at(selection, view), THUMBNAIL))
-            steps.pictures.append((f"{values[i]:.2f}: {kept} of {counts[0]} regions kept", picture))
-    return steps
+def _pictures(plan: SitePlan, view: View) -> list[tuple[str, str]]:
+    """Return captions and addresses of pictures of what was found at thresholds."""
+    steps = plan.image.steps
+    shown = np.unique(np.linspace(0, len(steps) - 1, min(len(steps), MOST_PICTURES)).round().astype(int))
+    return [_picture(plan, steps[i], view) for i in shown]
 
 
-def _final(plan: SitePlan, image: DensityImage, view: View, rooms: Sequence[Room]) -> Markup:
-    parts = [view.areas([room.outline for room in rooms], ROOM, 0.15)] if rooms else []
-    parts.append(view.areas([wall.outline for wall in plan.walls], FACE, 0.35))
-    return figure(
-        view.sheet(_grey(image, view, 2.0), *parts),
-        "The walls over the density image. A wall of the image without a colour is missing: see below which "
-        "criterion removed it. A colour where no wall stands: see below what let it pass.",
-    )
+def _picture(plan: SitePlan, step: ThresholdStep, view: View) -> tuple[str, str]:
+    kept = step.regions - step.too_small - step.wrong_shape
+    fate = fates_at(plan.image.verdicts(step), view)
+    caption = f"{step.threshold:.2f}: {kept} of {step.regions} regions kept"
+    return caption, embedded(coloured(fate, THUMBNAIL))
+
+
+def _plan_map(plan: SitePlan, view: View) -> str:
+    with Map.around(view.corners) as sheet:
+        sheet.picture(_grey(plan.density, view, 2.0), view.corners)
+        sheet.areas([room.outline for room in plan.rooms or ()], ROOM, 0.15)
+        sheet.areas([wall.outline for wall in plan.walls], FACE, 0.35)
+        return sheet.svg()
+
+
+def _map(view: View, rgb: np.ndarray) -> str:
+    with Map.around(view.corners) as sheet:
+        sheet.picture(rgb, view.corners)
+        return sheet.svg()
 
 
 def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
@@ -124,22 +106,13 @@ def _grey(image: DensityImage, view: View, paler: float = 1.0) -> np.ndarray:
     return grey(fitted(view.part(image.density)), paler * float(held.mean() + 2 * held.std()))
 
 
-def _density(image: DensityImage, view: View) -> Markup:
-    return figure(
-        view.sheet(_grey(image, view)),
-        f"Points per pixel, of the {image.points_kept:,} of {image.points_in:,} points that thinning kept; "
-        "black is two standard deviations above the mean. Walls should stand out as lines. If they are "
-        "dotted, raise PIXEL_SIZE; if neighbouring faces run into each other, lower it, and SPACING with it.",
-    )
-
-
-def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps: _Steps) -> tuple:
-    fate = fates(plan, view, gate, np.isfinite(image.density), steps.small, steps.misshapen)
-    area = np.bincount(fate.ravel(), minlength=len(Fate)) * image.transform.a**2
+def _fate_rows(plan: SitePlan, areas: np.ndarray) -> list[_FateRow]:
     found = plan.image
-    regions, small, misshapen = (sum(column) for column in list(zip(*steps.rows))[1:])
+    regions = sum(step.regions for step in found.steps)
+    small = sum(step.too_small for step in found.steps)
+    misshapen = sum(step.wrong_shape for step in found.steps)
     rows = [
-        (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down if it is none"),
+        (Fate.WALL, "wall", "THRESHOLD up, MIN_AREA up or MAX_FILL down where there is no wall"),
         (
             Fate.CLOSED,
             f"added by CLOSING {found.gap:g} m",
@@ -178,69 +151,33 @@ def _removed(plan: SitePlan, image: DensityImage, gate: Gate, view: View, steps:
         ),
         (Fate.SURFACE, "floor, ground and the like", ""),
     ]
-    listed = [(_swatch(kind), what, number(float(area[kind]), 2), turn) for kind, what, turn in rows]
-    return (
-        figure(
-            view.sheet(coloured(fate)),
-            "Each pixel by the last criterion that it met. Look for a missing wall, read its colour, and "
-            "turn the parameter beside that colour.",
-        ),
-        table(("", "pixels that are", "m²", "turn"), listed, words=(0, 1, 3)),
-        paragraph("Regions are counted anew at each threshold."),
-    )
+    return [
+        _FateRow("rgb({}, {}, {})".format(*COLOURS[kind]), pixels, float(areas[kind]), remedy)
+        for kind, pixels, remedy in rows
+    ]
 
 
-def _swatch(kind: Fate) -> Markup:
-    colour = "rgb({}, {}, {})".format(*COLOURS[kind])
-    style = f"display:inline-block;width:1.6em;height:1em;border:1px solid #90a4ae;background:{colour}"
-    return element("span", style=style)
-
-
-def _thresholds(plan: SitePlan, image: DensityImage, steps: _Steps) -> tuple:
+def _histogram(plan: SitePlan) -> str:
+    """Return how dense the pixels are that may be wall, with the lowest and the highest threshold."""
     thresholds = plan.image.thresholds
     tall = plan.image.gated[plan.image.gated > 0] / thresholds.deviation
-    pictures = [
-        element(
-            "figure",
-            element("img", src=address, alt=caption, style="width:100%;border:1px solid #cfd8dc"),
-            element("figcaption", caption),
-            style="width:31%;margin:0",
-        )
-        for caption, address in steps.pictures
-    ]
-    rows = [(number(value, 2), *map(str, counts)) for value, *counts in steps.rows]
     ends = (thresholds.values[0], thresholds.values[-1])
-    return (
-        element("div", *pictures, style="display:flex;flex-wrap:wrap;gap:1rem 3%;margin:1rem 0"),
-        paragraph(
-            "The regions above each threshold, in the colours of the picture above. If floors or clutter are "
-            "kept in the first pictures, raise THRESHOLD; if faint walls show in none, lower it. If the last "
-            "pictures find nothing more, THRESHOLD_MAX may be lower."
-        ),
-        figure(
-            histogram(np.minimum(tall, 2 * ends[1]), "density of pixels that may be wall", limits=ends),
-            "In standard deviations of the density image; the last bar holds all that is denser. Lines mark "
-            "the lowest and the highest threshold, as far as they lie in between.",
-        ),
-        table(("threshold", "regions", "too small", "misshapen"), rows, words=()),
-    )
+    return histogram(np.minimum(tall, 2 * ends[1]), "density of pixels that may be wall", limits=ends)
 
 
-def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict) -> Markup:
-    found, given = plan.image, plan.image.parameters
-    held = np.isfinite(image.density)
-    rule = surface_rule(gate.flat[held], gate.tall[held])
-    values, deviation = found.thresholds.values, found.thresholds.deviation
+def _parameters(plan: SitePlan) -> list[tuple[str, str, str]]:
+    found, given, gate = plan.image, plan.image.parameters, plan.image.gate
+    values, deviation, rule = found.thresholds.values, found.thresholds.deviation, found.thresholds.rule
 
     def density(value: float) -> str:
         return f"{value:.3g} standard deviations = {value * deviation:.3g} points per pixel"
 
-    def origin(value, derived: str) -> str:
+    def origin(value: Optional[float], derived: str) -> str:
         return "given" if value is not None else f"derived: {derived}"
 
-    seen = "heights tell where the ground was seen" if gate.open_ground is not None else "no heights are used"
-    rows = [
-        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value)),
+    seen = "heights show where the ground was seen" if gate.open_ground is not None else "no heights are used"
+    return [
+        ("THRESHOLD", density(values[0]), origin(given.threshold, rule.value if rule else "")),
         (
             "THRESHOLD_MAX",
             density(values[-1]),
@@ -256,17 +193,29 @@ def _parameters(plan: SitePlan, image: DensityImage, gate: Gate, settings: dict)
         ("MIN_ELONGATION", f"{found.criteria.min_elongation:g}", "given"),
         ("CLOSING", f"{found.gap:g} m", origin(given.closing, seen)),
         ("MIN_HEIGHT", f"{given.min_height:g} m", "given" if gate.column is not None else "not applied"),
-        ("PIXEL_SIZE", f"{image.transform.a:g} m", "given"),
-        *((name, value, "given") for name, value in settings.items()),
-        ("CRS", image.crs.to_string() if image.crs else "none", "of the files, or given"),
+        ("PIXEL_SIZE", f"{plan.transform.a:g} m", "given"),
+        *((name, value, "given") for name, value in _run(plan.settings).items()),
+        ("CRS", plan.crs.to_string() if plan.crs else "none", "of the files, or given"),
     ]
-    return table(("parameter", "value", "origin"), rows, words=(1, 2), caption="Defaults count as given.")
 
 
-def _walls(plan: SitePlan) -> Markup:
-    header = ("wall", "kind", "length", "thickness", "base", "top", "height", "azimuth", "area", "votes")
+def _run(settings: SitePlanSettings) -> dict[str, str]:
+    """Return the parameters of the run beyond those of the walls."""
+    heights = settings.height_range
+    limits = {"ZMIN": heights.low, "ZMAX": heights.high}
+    return {
+        "SPACING": f"{settings.spacing_m:g} m",
+        "NEIGHBOURHOOD": f"{settings.neighbourhood_px} pixels",
+        "REFINE": "yes" if settings.refine else "no",
+        **{name: f"{value:g} m" for name, value in limits.items() if np.isfinite(value)},
+        **({"HEIGHTS": "above the local ground"} if heights.above_ground else {}),
+        **({"DOOR_WIDTH": f"{settings.rooms.door_width_m:g} m"} if settings.with_rooms else {}),
+    }
+
+
+def _wall_rows(plan: SitePlan) -> list[tuple[str, ...]]:
     fields = ("length", "thickness", "z_base", "z_top", "height")
-    rows = [
+    return [
         (
             str(wall.wall_id),
             wall.kind,
@@ -277,12 +226,10 @@ def _walls(plan: SitePlan) -> Markup:
         )
         for wall in plan.walls[:MOST_ROWS]
     ]
-    caption = "Metres, degrees from grid north, square metres; votes are thresholds. " + _cut(plan.walls)
-    return table(header, rows, words=(0, 1), caption=caption)
 
 
-def _rooms(rooms: Sequence[Room]) -> Markup:
-    rows = [
+def _room_rows(rooms: Sequence[Room]) -> list[tuple[str, ...]]:
+    return [
         (
             str(room.room_id),
             number(room.area, 2),
@@ -292,10 +239,3 @@ def _rooms(rooms: Sequence[Room]) -> Markup:
         )
         for room in rooms[:MOST_ROWS]
     ]
-    caption = "Square metres and metres. If a room is missing, a gap in its walls is wider than DOOR_WIDTH. "
-    header = ("room", "area", "perimeter", "openings", "floor")
-    return table(header, rows, words=(0,), caption=caption + _cut(rooms))
-
-
-def _cut(items: Sequence) -> str:
-    return f"The first {MOST_ROWS} of {len(items)}." if len(items) > MOST_ROWS else ""

@@ -7,44 +7,39 @@ from shapely.geometry import LineString, Point, Polygon
 from shapely.ops import substring
 from shapely.prepared import prep
 
-REACH = 3.0
-"""Deepest half of a passage in metres."""
-
-LOSS = 6.0
-"""How much deeper into the room (m) its end must lie for each metre that it is wider."""
-
-WIDER = 1.1
-"""How many times as wide as the narrowest place that end may be."""
+from .settings import DoorSettings
 
 FLAT = 1e-5
 """How far corners that are left out may lie off the line between others, in metres."""
 
 
-def trim(room: Polygon, gaps: np.ndarray) -> Polygon:
+def trim(room: Polygon, gaps: np.ndarray, settings: DoorSettings = DoorSettings()) -> Polygon:
     """Let a room end on the faces of the walls at its doors.
 
-    Where the sides of a passage run apart, as in a splay, the room ends where they begin to.
+    Where the jambs of a passage run apart, as in a splay, the room ends where they begin to.
 
     Parameters
     ----------
     room : Polygon
-        Reaches into each door, up to the narrowest place.
+        Reaches into each door, up to where it is narrowest.
     gaps : ndarray, shape (n, 2, 2)
-        Both ends of those places; they are sides of the room.
+        Both ends of the narrowest gaps; they are sides of the room.
+    settings : DoorSettings
     """
     rings = [
         _without_flat_corners(np.asarray(ring.coords)[:-1], gaps) for ring in (room.exterior, *room.interiors)
     ]
     room = Polygon(rings[0], rings[1:])
     for gap in gaps:
-        for i, ring in enumerate(rings):
+        for i, ring in enumerate(list(rings)):
             start = _find(ring, gap)
             if start is None:
                 continue
-            trimmed = _moved(np.roll(ring, -start, axis=0), room)
-            shell, *holes = [*rings[:i], trimmed, *rings[i + 1 :]]
-            if Polygon(shell, holes).is_valid:
-                rings[i], room = trimmed, Polygon(shell, holes)
+            trimmed = _moved(np.roll(ring, -start, axis=0), room, settings)
+            changed = [*rings[:i], trimmed, *rings[i + 1 :]]
+            candidate = Polygon(changed[0], changed[1:])
+            if candidate.is_valid:
+                rings, room = changed, candidate
     return room.simplify(FLAT)
 
 
@@ -59,17 +54,17 @@ def _without_flat_corners(ring: np.ndarray, gaps: np.ndarray) -> np.ndarray:
 
 
 def _find(ring: np.ndarray, gap: np.ndarray) -> Optional[int]:
-    """Return the number of the corner at the end of a gap, or None if it is no side of the ring."""
+    """Return the number of the corner at the end of a gap, or None if no side of the ring spans it."""
     after = np.roll(ring, -1, axis=0)
     one = (ring == gap[0]).all(axis=1) & (after == gap[1]).all(axis=1)
     other = (ring == gap[1]).all(axis=1) & (after == gap[0]).all(axis=1)
-    places = np.flatnonzero(one | other)
-    return (places[0] + 1) % len(ring) if len(places) else None
+    found = np.flatnonzero(one | other)
+    return int(found[0] + 1) % len(ring) if len(found) else None
 
 
-def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
+def _moved(ring: np.ndarray, room: Polygon, settings: DoorSettings) -> np.ndarray:
     """Move the side between the last and the first corner to where the passage opens into the room."""
-    ahead, behind = _Jamb(ring), _Jamb(ring[::-1])
+    ahead, behind = _Jamb(ring, settings.deepest_m), _Jamb(ring[::-1], settings.deepest_m)
     corners = np.stack(np.meshgrid(ahead.stations, behind.stations), axis=-1).reshape(-1, 2)
     opposite = np.column_stack([ahead.stations, behind.nearest(ahead.at(ahead.stations))])
     other = np.column_stack([ahead.nearest(behind.at(behind.stations)), behind.stations])
@@ -77,8 +72,8 @@ def _moved(ring: np.ndarray, room: Polygon) -> np.ndarray:
     ends = np.stack([ahead.at(pairs[:, 0]), behind.at(pairs[:, 1])], axis=1)
     widths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
     narrowest = np.linalg.norm(ring[0] - ring[-1])
-    gain = pairs.mean(axis=1) - LOSS * np.maximum(widths - narrowest, 0)
-    gain[widths > WIDER * narrowest] = 0
+    gain = pairs.mean(axis=1) - settings.loss * np.maximum(widths - narrowest, 0)
+    gain[widths > settings.wider * narrowest] = 0
     clear = prep(room.buffer(FLAT, join_style=2))
     for best in np.argsort(-gain, kind="stable"):
         if gain[best] <= FLAT:
@@ -95,13 +90,13 @@ class _Jamb:
     Attributes
     ----------
     stations : ndarray
-        How far along the corners lie, in metres, up to `REACH` and not more than half around.
+        How far along the corners lie, in metres; not more than half around.
     """
 
-    def __init__(self, ring: np.ndarray) -> None:
+    def __init__(self, ring: np.ndarray, deepest: float) -> None:
         steps = np.linalg.norm(np.diff(ring, axis=0), axis=1)
         self.ring, self.along = ring, np.concatenate([[0.0], np.cumsum(steps)])
-        reach = min(REACH, self.along[-1] / 2)
+        reach = min(deepest, self.along[-1] / 2)
         self.line = substring(LineString(ring), 0.0, reach)
         self.stations = self.along[self.along <= reach]
 

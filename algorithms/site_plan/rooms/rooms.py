@@ -1,6 +1,6 @@
 """Rooms: the closed spaces between walls, from face to face.
 
-Where two spaces meet at a narrow place, it is a door, and each space ends there.
+Where two spaces meet at a narrow gap, it is a door, and each space ends there.
 """
 
 from collections.abc import Iterable
@@ -17,22 +17,9 @@ from shapely.ops import polygonize
 
 from ...geometry.linked_parts import label_linked
 from ...geometry.outline_triangles import OutlineMesh, triangulate_outlines
+from ...progress import Progress
 from .doors import FLAT, trim
-
-DOOR_WIDTH = 1.3
-"""Widest gap in metres that counts as a door: leaves are up to 1.25 m wide, corridors seldom narrower."""
-
-NARROWING = 0.8
-"""A door is narrower than this share of the spaces on both sides; a corridor beside its doors is not."""
-
-POCKET = 0.25
-"""A smaller space (m2) behind a narrow place is part of the space before it."""
-
-MIN_AREA, MIN_WIDTH = 1.0, 0.8
-"""Least area (m2) and width (m) of a room: what is less is the core of a wall, or a shaft."""
-
-SLENDER = 6.0
-"""A space longer than so many times its mean width has that width, whatever is wider where it turns."""
+from .settings import RoomSettings, SpaceSettings
 
 
 @dataclass(frozen=True)
@@ -67,15 +54,20 @@ class Room:
         return float(self.outline.length)
 
 
-def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
+def find_rooms(
+    outlines: Iterable[Polygon],
+    settings: RoomSettings = RoomSettings(),
+    progress: Progress = Progress(),
+) -> tuple[Room, ...]:
     """Find the closed spaces between walls.
 
     Parameters
     ----------
     outlines : iterable of Polygon
         Walls, in world coordinates.
-    door_width : float
-        Gaps up to this width, in metres, are bridged.
+    settings : RoomSettings
+    progress : Progress
+        Reports and cancels.
 
     Returns
     -------
@@ -85,18 +77,23 @@ def find_rooms(outlines: Iterable, door_width: float = DOOR_WIDTH) -> tuple:
     outlines = list(outlines)
     if not outlines:
         return ()
-    mesh = triangulate_outlines(outlines, margin=max(2 * door_width, 1.0))
-    spaces = _spaces(mesh, door_width)
+    progress.update(0.0, "Triangulating the space between walls")
+    mesh = triangulate_outlines(outlines, settings.mesh, margin=2 * settings.door_width_m)
+    spaces = _spaces(mesh, settings.door_width_m, settings.spaces)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
-    found = [(_outline(mesh, spaces, number), number) for number in np.flatnonzero(spaces.is_room)]
-    found = sorted((pair for pair in found if _is_wide(pair[0])), key=lambda pair: -pair[0].area)
+    numbers, found = np.flatnonzero(spaces.is_room), []
+    for done, number in enumerate(numbers):
+        progress.update(0.5 + 0.5 * done / len(numbers), "Outlining rooms")
+        found.append((trim(*_outline(mesh, spaces, number), settings.doors), number))
+    found = [pair for pair in found if _is_wide(pair[0], settings.spaces)]
+    found.sort(key=lambda pair: -pair[0].area)
     return tuple(
         Room(room_id, translate(outline, *mesh.origin), _count_openings(spaces, number))
         for room_id, (outline, number) in enumerate(found, start=1)
     )
 
 
-def with_floors(rooms: tuple, ground: np.ndarray, transform: Affine) -> tuple:
+def with_floors(rooms: tuple[Room, ...], ground: np.ndarray, transform: Affine) -> tuple[Room, ...]:
     """Return rooms with the heights of their floors.
 
     Parameters
@@ -120,14 +117,15 @@ def with_floors(rooms: tuple, ground: np.ndarray, transform: Affine) -> tuple:
     )
 
 
-def _is_wide(outline: Polygon) -> bool:
+def _is_wide(outline: Polygon, settings: SpaceSettings) -> bool:
     length, width = outline.length / 2, 2 * outline.area / outline.length
-    return outline.area >= MIN_AREA and (length < SLENDER * width or width >= MIN_WIDTH)
+    is_slender = length >= settings.slender * width
+    return outline.area >= settings.least_area_m2 and not (is_slender and width < settings.least_width_m)
 
 
 @dataclass(frozen=True)
 class _Spaces:
-    """The spaces that are left when narrow places are closed.
+    """The spaces that are left when narrow gaps are closed.
 
     Attributes
     ----------
@@ -137,7 +135,7 @@ class _Spaces:
         Square metres.
     is_room, is_outside : ndarray of bool, shape (spaces,)
     gaps, gap_ends : ndarray of int, shape (n, 2)
-        The spaces on both sides of each narrow place, and the corners of the mesh at its ends.
+        The spaces on both sides of each narrow gap, and the corners of the mesh at its ends.
     """
 
     label: np.ndarray
@@ -148,8 +146,8 @@ class _Spaces:
     gap_ends: np.ndarray
 
 
-def _spaces(mesh: OutlineMesh, door_width: float) -> _Spaces:
-    """Join all that hangs together over wide places, and then over narrow ones that are no doors."""
+def _spaces(mesh: OutlineMesh, door_width: float, settings: SpaceSettings) -> _Spaces:
+    """Join all that is linked over wide gaps, and then over narrow ones that are not doors."""
     sides = mesh.sides(~mesh.wall)
     wide = sides.lengths > door_width
     part = label_linked(sides.first[wide], sides.second[wide], len(mesh.wall))
@@ -157,16 +155,17 @@ def _spaces(mesh: OutlineMesh, door_width: float) -> _Spaces:
     width = np.zeros(count)
     np.maximum.at(width, part, mesh.widths())
     width[part[(mesh.neighbours < 0).any(axis=1)]] = np.inf
-    merged = _Merging(np.bincount(part, mesh.areas(), count), width)
+    merged = _Merging(np.bincount(part, mesh.areas(), count), width, settings)
     narrow = np.flatnonzero(~wide)
     narrow = narrow[np.argsort(-sides.lengths[narrow], kind="stable")]
     pairs = part[np.column_stack([sides.first, sides.second])[narrow]]
     lengths = sides.lengths[narrow].tolist()
-    apart = [not merged.join(*pair, length) for pair, length in zip(pairs.tolist(), lengths)]
+    apart = [not merged.join(a, b, length) for (a, b), length in zip(pairs.tolist(), lengths)]
     root = np.array([merged.root(i) for i in range(count)])
     label = np.where(mesh.wall, -1, root[part])
     is_outside = np.isinf(merged.width)
-    is_room = (merged.area >= MIN_AREA) & (merged.width >= MIN_WIDTH) & ~is_outside
+    is_room = (merged.area >= settings.least_area_m2) & (merged.width >= settings.least_width_m)
+    is_room &= ~is_outside
     is_room[np.setdiff1d(np.arange(count), label)] = False
     gaps, ends = root[pairs[apart]], sides.ends[narrow[apart]]
     between = gaps[:, 0] != gaps[:, 1]
@@ -190,16 +189,17 @@ def _at_narrowest(mesh: OutlineMesh, gap_ends: np.ndarray) -> OutlineMesh:
 
 
 class _Merging:
-    """Spaces that are joined over ever narrower places, unless the place is a door.
+    """Spaces that are joined over ever narrower gaps, unless the gap is a door.
 
     Parameters
     ----------
     area, width : ndarray, shape (n,)
         Of the spaces at the beginning; m2, m. The width is that of the largest circle that fits in.
+    settings : SpaceSettings
     """
 
-    def __init__(self, area: np.ndarray, width: np.ndarray) -> None:
-        self.parent = list(range(len(area)))
+    def __init__(self, area: np.ndarray, width: np.ndarray, settings: SpaceSettings) -> None:
+        self.parent, self.settings = list(range(len(area))), settings
         self.area, self.width = area, width
 
     def root(self, i: int) -> int:
@@ -209,12 +209,13 @@ class _Merging:
         return i
 
     def join(self, a: int, b: int, length: float) -> bool:
-        """Join two spaces over a place of a width; return False if they stay apart."""
+        """Join two spaces over a gap of a width; return False if they stay apart."""
         a, b = self.root(a), self.root(b)
         if a == b:
             return True
-        pocket = min(self.area[a], self.area[b]) < POCKET
-        if not pocket and length < NARROWING * min(self.width[a], self.width[b]):
+        pocket = min(self.area[a], self.area[b]) < self.settings.pocket_m2
+        narrow = length < self.settings.narrowing * min(self.width[a], self.width[b])
+        if narrow and not pocket:
             return False
         self.parent[b] = a
         self.area[a] += self.area[b]
@@ -227,8 +228,8 @@ def _count_openings(spaces: _Spaces, number: int) -> int:
     return sum(number in pair and bool(real[pair].all()) for pair in spaces.gaps)
 
 
-def _outline(mesh: OutlineMesh, spaces: _Spaces, number: int) -> Polygon:
-    """Return the outline of a space, from face to face."""
+def _outline(mesh: OutlineMesh, spaces: _Spaces, number: int) -> tuple[Polygon, np.ndarray]:
+    """Return the outline of a space, and both ends of its gaps, shape (n, 2, 2)."""
     inside = np.flatnonzero(spaces.label == number)
     neighbours = mesh.neighbours[inside]
     row, corner = np.nonzero(np.where(neighbours >= 0, spaces.label[neighbours], -1) != number)
@@ -237,4 +238,4 @@ def _outline(mesh: OutlineMesh, spaces: _Spaces, number: int) -> Polygon:
     faces = list(polygonize(LineString(pair) for pair in mesh.points[ends]))
     # The rings of columns inside the space are faces as well.
     whole = min(faces, key=lambda face: abs(face.area - spaces.area[number]))
-    return trim(whole, mesh.points[ends[is_gap]])
+    return whole, mesh.points[ends[is_gap]]

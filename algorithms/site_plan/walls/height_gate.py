@@ -118,8 +118,8 @@ def make_gate(
     column = occupied >= settings.column_height_m
     if heights.spread is None or heights.hanging is None:
         return Gate(rises, flat & ~rises, column, low if is_seen else None, (UNSEPARATED,))
-    foliage = _foliage(heights, rises, occupied, pixel_size, settings)
-    room = _rooms(heights, rises, pixel_size, settings)
+    foliage = _foliage(heights.spread, rises, occupied, pixel_size, settings)
+    room = _rooms(heights.hanging, rises, pixel_size, settings)
     free = room & (heights.hanging < settings.reaching_m)
     behind = held & room & (heights.hanging >= settings.behind_m) & ~low
     tall = (rises & ~foliage & ~free) | behind
@@ -129,14 +129,14 @@ def make_gate(
 
 
 def _foliage(
-    heights: Heights,
+    spread: np.ndarray,
     rises: np.ndarray,
     occupied: np.ndarray,
     pixel_size: float,
     settings: HeightGateSettings,
 ) -> np.ndarray:
     """Return the bodies whose points are spread all over, with their ragged rims."""
-    loose = (occupied > settings.flat_m) & ~(heights.spread <= settings.sheet_share)
+    loose = (occupied > settings.flat_m) & ~(spread <= settings.sheet_share)
     width = max(round(settings.body_m / pixel_size), 2)
     body = ndimage.binary_opening(loose, np.ones((width, width)))
     body = ndimage.binary_dilation(body, np.ones((3, 3)), settings.rim_px, mask=loose)
@@ -148,18 +148,18 @@ def _foliage(
 
 
 def _rooms(
-    heights: Heights, rises: np.ndarray, pixel_size: float, settings: HeightGateSettings
+    hanging: np.ndarray, rises: np.ndarray, pixel_size: float, settings: HeightGateSettings
 ) -> np.ndarray:
     """Return where a ceiling was seen that most of what rises below it reaches.
 
     Below the roof over an excavation walls end freely, and are not furniture for that.
     """
-    covered = np.isfinite(heights.hanging)
+    covered = np.isfinite(hanging)
     reach = 2 * max(round(settings.room_gap_m / 2 / pixel_size), 1) + 1
     labels, count = ndimage.label(ndimage.maximum_filter(covered, reach), np.ones((3, 3)))
     labels[~covered] = 0
     risen = np.bincount(labels[rises], minlength=count + 1)
-    reaching = np.bincount(labels[rises & (heights.hanging >= settings.reaching_m)], minlength=count + 1)
+    reaching = np.bincount(labels[rises & (hanging >= settings.reaching_m)], minlength=count + 1)
     rooms = 2 * reaching >= risen
     rooms[0] = False
     return rooms[labels]

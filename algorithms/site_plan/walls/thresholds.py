@@ -14,6 +14,15 @@ from skimage.filters import threshold_otsu
 from ...errors import InputError
 
 
+class Rule(Enum):
+    """How the lowest threshold is derived, and from what."""
+
+    QUARTILE = "the lower quartile of the density, as nothing is known to be flat"
+    SURFACES = "the usual density of the pixels that show horizontal surfaces only"
+    OTSU = "Otsu's threshold of the logarithm of the density"
+    PARTED = "the density that best separates horizontal surfaces from the rest"
+
+
 @dataclass(frozen=True)
 class Thresholds:
     """The iterated thresholds.
@@ -24,10 +33,13 @@ class Thresholds:
         Increasing, in standard deviations of the density image.
     deviation : float
         That standard deviation, in points per pixel, over the pixels that hold density.
+    rule : Rule or None
+        How the lowest was derived; None if it was given.
     """
 
     values: tuple[float, ...]
     deviation: float
+    rule: Optional[Rule]
 
 
 def choose_thresholds(
@@ -59,28 +71,20 @@ def choose_thresholds(
     InputError
         If `highest` is given and below a given `lowest`.
     """
-    if None not in (lowest, highest) and highest < lowest:
+    if lowest is not None and highest is not None and highest < lowest:
         raise InputError(
             f"THRESHOLD_MAX {highest:g} is below THRESHOLD {lowest:g}; raise it, or leave it empty."
         )
     held = np.isfinite(density)
     deviation = float(np.std(density[held])) or float(density[held].max())
+    rule = surface_rule(flat[held], tall[held]) if lowest is None else None
     if lowest is None:
         lowest = surface_level(density[held], flat[held], tall[held]) / deviation
     if highest is None:
         above = density[held & tall & (density > lowest * deviation)]
         highest = float(np.median(above)) / deviation if len(above) else lowest
     values = np.linspace(lowest, max(highest, lowest), steps)
-    return Thresholds(tuple(values.tolist()), deviation)
-
-
-class Rule(Enum):
-    """How the lowest threshold is derived, and from what."""
-
-    QUARTILE = "the lower quartile of the density, as nothing is known to be flat"
-    SURFACES = "the usual density of the pixels that show horizontal surfaces only"
-    OTSU = "Otsu's threshold of the logarithm of the density"
-    PARTED = "the density that best separates horizontal surfaces from the rest"
+    return Thresholds(tuple(values.tolist()), deviation, rule)
 
 
 def surface_rule(flat: np.ndarray, tall: np.ndarray) -> Rule:

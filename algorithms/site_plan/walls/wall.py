@@ -97,7 +97,7 @@ def describe_walls(
                 length=band_length(outlines[region.label]),
                 z_base=z_base,
                 z_top=z_top,
-                height=None if z_base is None else z_top - z_base,
+                height=None if z_base is None or z_top is None else z_top - z_base,
                 azimuth=_azimuth(region) if kind == "straight" else None,
                 density=float(density[density > 0].mean()),
                 votes=int(np.median(found[found > 0])),

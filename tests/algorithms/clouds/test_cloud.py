@@ -100,7 +100,7 @@ def test_no_reference_system_is_a_warning(tmp_path):
 def test_a_file_without_reference_system_takes_that_of_the_others(tmp_path):
     cloud = open_cloud([text(tmp_path / "b.xyz", SECOND), las(tmp_path / "a.las", FIRST, 25832)])
     assert cloud.crs == CRS.from_epsg(25832)
-    assert "in b.xyz, so EPSG:25832 of the other files is taken" in cloud.warnings[0]
+    assert "in b.xyz, so EPSG:25832 of the other files is used for them" in cloud.warnings[0]
 
 
 def test_different_reference_systems_are_refused(tmp_path):

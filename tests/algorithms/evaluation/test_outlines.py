@@ -32,11 +32,11 @@ def test_parts_and_holes_are_kept():
     assert found.boundary.length == pytest.approx(16 + 8 + 4)
 
 
-def test_features_without_geometry_are_passed_over():
+def test_features_without_geometry_are_left_out():
     assert outlines(None, Polygon(), box(0, 0, 1, 1)).shape.area == pytest.approx(1)
 
 
-def test_an_outline_that_crosses_itself_is_repaired_and_told():
+def test_an_outline_that_crosses_itself_is_repaired_with_a_warning():
     found = outlines(Polygon([(0, 0), (2, 2), (2, 0), (0, 2)]))
     assert found.shape.area == pytest.approx(2, abs=0.01)
     assert found.warnings == ("Outlines of WALLS plan that cross themselves were repaired: 1.",)
@@ -54,7 +54,7 @@ def test_a_layer_without_outlines_is_refused(shapes):
         outlines(*shapes)
 
 
-def test_a_coordinate_that_is_no_number_is_named():
+def test_a_coordinate_that_is_not_a_number_is_named():
     with pytest.raises(InputError, match="Feature 2 of WALLS plan"):
         outlines(box(0, 0, 1, 1), LineString([(0, 0), (float("nan"), 1)]))
 
@@ -64,7 +64,7 @@ def test_degrees_are_refused():
         outlines(box(0, 0, 1, 1), wkt=CRS.from_epsg(4326).to_wkt())
 
 
-def test_two_layers_of_one_place_raise_no_doubt():
+def test_two_layers_of_one_site_raise_no_doubt():
     walls = outlines(box(500000, 5800000, 500001, 5800001))
     for wkt in (UTM, ESRI):
         reference = outlines(box(500000, 5800000, 500002, 5800001), wkt=wkt, name="REFERENCE true")
@@ -78,12 +78,12 @@ def test_two_systems_are_refused():
         disagreements(walls, reference, 0.1)
 
 
-def test_a_layer_without_a_system_is_taken_to_be_in_the_other_one():
+def test_a_layer_without_a_system_is_assumed_to_be_in_the_other_one():
     (doubt,) = disagreements(outlines(box(0, 0, 1, 1), wkt=""), outlines(box(0, 0, 1, 1), name="true"), 0.1)
-    assert doubt == "WALLS plan has no coordinate reference system; that of true is taken."
+    assert doubt == "WALLS plan has no coordinate reference system; that of true is assumed."
 
 
-def test_layers_far_apart_are_told():
+def test_layers_far_apart_are_doubtful():
     (doubt,) = disagreements(outlines(box(0, 0, 1, 1)), outlines(box(100, 0, 101, 1), name="true"), 0.1)
     assert "WALLS plan and true have nothing in common: they are 99.0 m apart" in doubt
 

@@ -76,11 +76,11 @@ def test_the_whole_wall_is_a_polygon_with_its_openings_as_holes(measured):
         assert share < 0.05 if detail.kind in (OPENING, RECESS) else share > 0.9
 
 
-def test_what_a_tree_or_a_car_or_a_cornice_hides_is_unseen_and_no_window(measured):
+def test_what_a_tree_or_a_car_or_a_cornice_hides_is_unseen_and_not_a_window(measured):
     _, _, elevation = measured
-    for place in elevation.unseen:
+    for area in elevation.unseen:
         for detail in elevation.details:
-            assert place.intersection(detail.outline).area < 0.1 * place.area
+            assert area.intersection(detail.outline).area < 0.1 * area.area
 
 
 def test_the_elevation_begins_at_the_left_end_and_the_foot_of_the_wall(measured):
@@ -133,7 +133,7 @@ def assert_same_outlines(elevation, other, tolerance):
         assert same.outline.hausdorff_distance(detail.outline) < 1.5 * tolerance
 
 
-def test_without_colour_openings_recesses_and_projections_are_left_and_it_says_so(medina):
+def test_without_colour_openings_recesses_and_projections_remain_and_a_warning_says_so(medina):
     scene, points, _ = medina
     elevation = measure_facade(replace(points, rgb=None), FacadeSettings())
     judgement = judge(elevation, scene)
@@ -144,7 +144,7 @@ def test_without_colour_openings_recesses_and_projections_are_left_and_it_says_s
     assert all(detail.colour is None for detail in elevation.details)
 
 
-def test_without_intensity_it_says_that_shadows_count(medina):
+def test_without_intensity_a_warning_names_cast_shadows(medina):
     scene, points, _ = medina
     elevation = measure_facade(replace(points, intensity=None), FacadeSettings())
     found = {pair.true.kind for pair in judge(elevation, scene).pairs}
@@ -171,7 +171,7 @@ def test_a_wall_without_details_is_a_wall(tmp_path):
     assert elevation.wall.area == pytest.approx(12, rel=0.005)
 
 
-def test_regularise_off_leaves_every_outline_as_it_was_seen(medina):
+def test_without_regularise_every_outline_follows_the_points(medina):
     _, points, _ = medina
     elevation = measure_facade(points, FacadeSettings(regularise=False))
     assert {detail.shape for detail in elevation.details} == {"free"}

@@ -50,7 +50,7 @@ def test_colour_that_only_some_files_have_is_not_used(tmp_path):
     assert points.intensity is not None and len(points.xyz) == 2 * COUNT
 
 
-def test_scans_are_told_by_point_source_file_and_block(tmp_path):
+def test_scans_are_distinguished_by_point_source_file_and_block(tmp_path):
     paths = [las(tmp_path / "a.laz", station=5), las(tmp_path / "b.laz", station=5)]
     cells = np.random.default_rng(0).uniform(1, 2, (10, 4))
     paths.append(write_ptx(tmp_path / "c.ptx", cells, cells))
@@ -59,7 +59,7 @@ def test_scans_are_told_by_point_source_file_and_block(tmp_path):
     assert [np.sum(points.scan == number) for number in range(4)] == [COUNT, COUNT, 10, 10]
 
 
-def test_the_scans_of_an_e57_are_told_apart(tmp_path):
+def test_the_scans_of_an_e57_are_distinguished(tmp_path):
     cells = np.random.default_rng(0).uniform(1, 2, (10, 3))
     points = read_points(open_cloud([write_e57(tmp_path / "a.e57", cells, cells[:4])]))
     assert np.bincount(points.scan).tolist() == [10, 4]

@@ -4,8 +4,9 @@ from typing import Optional
 
 import numpy as np
 from affine import Affine
+from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
 from ichnograph.algorithms.site_plan.faces.face_points import face_points
-from ichnograph.algorithms.site_plan.faces.refinement import refine_plan
+from ichnograph.algorithms.site_plan.faces.refinement import refine_walls
 from ichnograph.algorithms.site_plan.site_plan import extract_walls
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from shapely.geometry import LineString, Point, Polygon
@@ -67,11 +68,11 @@ def refined(
     density[row, column] = 50.0
     density = density[::-1]
     transform = Affine(PIXEL, 0, low[0], 0, -PIXEL, low[1] + rows * PIXEL)
-    plan = extract_walls(density, None, transform, WallParameters())
+    walls = extract_walls(DensityRaster(density, None, transform, None), WallParameters()).walls
     given = points if faces is None else faces
     level = (given[:, 2] / 0.05).astype(np.int64)
     near = face_points(given[:, :2] - low, level, np.ones(len(given), np.int64))
-    return plan.walls, refine_plan(plan, near, density, transform).walls
+    return walls, refine_walls(walls, near, density, transform)[0]
 
 
 def offset(outline: Polygon, truth: Polygon) -> float:

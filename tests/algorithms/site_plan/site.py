@@ -1,4 +1,4 @@
-"""Points of walls, floors, bushes and furniture, and what the bands tell where they are."""
+"""Points of walls, floors, bushes and furniture, and the values of the bands where they are."""
 
 from types import SimpleNamespace
 

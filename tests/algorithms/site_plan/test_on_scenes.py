@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.evaluation.plan import compare_plan
-from ichnograph.algorithms.site_plan.density.density_image import density_image, sort_and_image
-from ichnograph.algorithms.site_plan.faces.refinement import refine_on_points
-from ichnograph.algorithms.site_plan.site_plan import extract_walls
+from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
+from ichnograph.algorithms.site_plan.site_plan import extract_walls, make_site_plan
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
@@ -24,7 +24,7 @@ def scanned(name):
 
 
 def plan_of(image, **parameters):
-    return extract_walls(image.density, image.heights, image.transform, WallParameters(**parameters))
+    return extract_walls(DensityRaster.of(image), WallParameters(**parameters))
 
 
 # Completeness and correctness of the boundary at 10 cm; the docs tell the values at a finer angular step.
@@ -71,8 +71,7 @@ def test_defaults_find_the_walls_of_a_scene_and_the_gate_gains(tmp_path, name, c
 def test_outlines_lie_on_the_faces_of_a_scene(tmp_path, name, complete, correct):
     scene, scan = scanned(name)
     write_laz(tmp_path / "scan.laz", scan, slice(None), "EPSG:25833")
-    with sort_and_image(open_cloud([tmp_path / "scan.laz"])) as (image, points):
-        plan = refine_on_points(plan_of(image), points, image)
+    plan = make_site_plan(open_cloud([tmp_path / "scan.laz"]))
     outlines = [wall.outline for wall in plan.walls]
     found = compare_plan(unary_union(outlines), scene.truth, 0.05, scan.seen_boundary)
     assert found.completeness > complete

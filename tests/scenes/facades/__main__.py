@@ -1,4 +1,4 @@
-"""Write a simulated scan of a facade as LAZ, and the lengths of its true details beside it.
+"""Write a simulated scan of a facade as LAZ, and the true sizes of its details beside it.
 
 python3 -m ichnograph.tests.scenes.facades medina out.laz --spacing 0.01 --truth lengths.csv
 """
@@ -32,7 +32,7 @@ def write_laz(path: Path, scan: FacadeScan, crs: Optional[str] = None) -> None:
 
 
 def write_truth(path: Path, scene: FacadeScene) -> None:
-    """Write kind, place, width, height and sill of every detail."""
+    """Write kind, position, width, height and sill of every detail."""
     with path.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(["kind", "u", "v", "width", "height", "sill"])
@@ -56,7 +56,7 @@ def _arguments() -> argparse.Namespace:
 
 
 def main() -> None:
-    """Scan the facade that the command line names."""
+    """Scan the facade named on the command line."""
     arguments = _arguments()
     angle, *shift = arguments.move
     scene = FACADES[arguments.facade](arguments.seed).moved(angle, tuple(shift))

@@ -71,18 +71,18 @@ class Builder:
         self.details.append(TrueDetail(RECESS, outline, -depth))
 
     def painted(self, outline: Polygon, colour, reflectance: float, thickness: float = 0.002) -> None:
-        """Put paint or a shutter flat on the wall."""
+        """Add paint or a shutter in the plane of the wall."""
         self.front(outline, thickness, colour, reflectance)
         self.details.append(TrueDetail(COLOURED, outline, thickness))
 
     def moulding(self, outline: Polygon, depth: float, colour=STONE, reflectance: float = 0.6) -> None:
-        """Put a block before the wall."""
+        """Add a block in front of the wall."""
         self.front(outline, depth, colour, reflectance)
         self.sides(outline, 0.0, depth, colour, reflectance)
         self.details.append(TrueDetail(PROJECTION, outline, depth))
 
     def box(self, outline: Polygon, low: float, high: float, colour, reflectance: float) -> None:
-        """Put a thing before the wall that is no part of it, from w = low to high."""
+        """Add an object in front of the wall that is not part of it, from w = low to high."""
         self.front(outline, high, colour, reflectance)
         self.sides(outline, low, high, colour, reflectance)
 
@@ -94,7 +94,7 @@ class Builder:
             self.leaves.append(Leaves(centre, share * radius, 2.5))
 
     def street(self, rise: float) -> None:
-        """Lay the ground before the wall, rising to the right."""
+        """Add the ground in front of the wall, rising to the right."""
         self.rise = rise
         slope = np.array([1.0, rise, 0.0]) / np.hypot(1.0, rise)
         origin = np.array([-8.0, -8.0 * rise - 0.5 * self.width * rise, 0.0])
@@ -116,7 +116,7 @@ class Builder:
             left, bottom, right, _ = hole.bounds
             wall, solid = wall.difference(hole), solid.difference(hole)
             if bottom <= 1e-6:
-                # A gate has no wall below.
+                # A gate reaches the ground.
                 solid = solid.difference(box(left, -0.5, right, 0))
         self.front(solid, 0.0, PLASTER, 0.75)
         details = tuple(self._above_ground(detail) for detail in self.details)
@@ -126,7 +126,7 @@ class Builder:
         )  # fmt: skip
 
     def _above_ground(self, detail: TrueDetail) -> TrueDetail:
-        """Return a detail without what the street hides of it, up to its height at the middle."""
+        """Return a detail without its part below the street, whose height is taken at the middle."""
         left, bottom, right, top = detail.outline.bounds
         ground = self.rise * (0.5 * (left + right) - 0.5 * self.width)
         if bottom > 1e-6:

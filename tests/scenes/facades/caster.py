@@ -1,4 +1,4 @@
-"""Rays from a scanner, and what they meet: planar panels and spheres of leaves."""
+"""Rays from a scanner, and the objects that they meet: planar panels and spheres of leaves."""
 
 from dataclasses import dataclass
 
@@ -26,7 +26,7 @@ class Panel:
     reflectance : float
         For the laser, 0..1.
     returns : float
-        Share of rays that come back; the others pass, as through glass.
+        Share of rays that return; the others pass through, as through glass.
     """
 
     origin: np.ndarray
@@ -91,7 +91,7 @@ def _edges(outline: Polygon) -> np.ndarray:
 
 
 def cast(origin: np.ndarray, directions: np.ndarray, things: Things, seed: int) -> tuple:
-    """Return how far each ray gets, inf if it meets nothing, and which panel it meets.
+    """Return the length of each ray, inf if it meets nothing, and the panel that it meets.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def _cast(origin, directions, frames, boxes, starts, edges, returns, leaves, see
 
 @njit(cache=True, nogil=True)
 def _holds(edges, a, b):
-    """Tell whether a polygon holds a place, by the crossings of its edges to one side."""
+    """Whether a polygon contains a point, by the number of its edges to one side."""
     inside = False
     for edge in range(len(edges)):
         x1, y1, x2, y2 = edges[edge]
@@ -157,7 +157,7 @@ def _holds(edges, a, b):
 
 @njit(cache=True, nogil=True)
 def _leaf(origin, d, sphere):
-    """Return how far a ray gets before it meets a leaf; inf if it meets none."""
+    """Return the length of a ray up to a leaf; inf if it passes between them."""
     along, squared = 0.0, 0.0
     for axis in range(3):
         offset = sphere[axis] - origin[axis]

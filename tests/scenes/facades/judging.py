@@ -1,4 +1,4 @@
-"""Compare an elevation with the facade that was scanned."""
+"""Comparison of an elevation with the facade that was scanned."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 from .scene import FacadeScene, TrueDetail
 
 ALIKE = 0.5
-"""Least share of the union of two outlines that both cover, if one is the other's."""
+"""Least intersection over union of two outlines of the same detail."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Pair:
     outline : Polygon
         As found, in u, v of the scene.
     iou : float
-        Area of both over the area of either.
+        Intersection over union.
     """
 
     true: TrueDetail
@@ -33,7 +33,7 @@ class Pair:
 
     @property
     def edges(self) -> np.ndarray:
-        """Found minus true place of the left, bottom, right and top edge (m)."""
+        """Found minus true position of the left, bottom, right and top edge (m)."""
         return np.array(self.outline.bounds) - self.true.outline.bounds
 
     @property
@@ -45,7 +45,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Judgement:
-    """The details of an elevation beside the true ones.
+    """The details of an elevation compared with the true ones.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Judgement:
 
 
 def judge(elevation: Elevation, scene: FacadeScene) -> Judgement:
-    """Pair the details of an elevation with those of the same kind that were scanned."""
+    """Return the details of an elevation paired with true ones of the same kind."""
     outlines = [in_scene(detail.outline, elevation, scene) for detail in elevation.details]
     left = set(range(len(outlines)))
     pairs, missed = [], []
@@ -87,6 +87,6 @@ def in_scene(outline: Polygon, elevation: Elevation, scene: FacadeScene) -> Poly
 
 
 def iou(first: Polygon, second: Polygon) -> float:
-    """Return the area of both over the area of either."""
+    """Return the intersection over union of two outlines."""
     both = first.intersection(second).area
     return both / (first.area + second.area - both)

@@ -1,4 +1,4 @@
-"""A house of an old town: green shutters, an arched door, a cornice, and a tree before it."""
+"""A house of an old town: green shutters, an arched door, a cornice, and a tree in front of it."""
 
 import numpy as np
 from shapely.geometry import Polygon, box

@@ -1,4 +1,4 @@
-"""A facade whose details are known, and its scans. All is simulated in u, v, w of the facade."""
+"""A facade with known details, and its scans. Everything is simulated in u, v, w of the facade."""
 
 from dataclasses import dataclass, field, replace
 
@@ -10,7 +10,7 @@ from shapely.geometry import Polygon
 from .caster import LEAF, NOTHING, Leaves, Panel, cast, flatten
 
 BEAM, DIVERGENCE = 0.003, 0.0003
-"""Diameter of the laser spot at the scanner (m), and how it widens."""
+"""Diameter of the laser spot at the scanner (m), and its growth per metre."""
 
 SUBRAYS = 7
 SEPARATE = 0.3
@@ -19,12 +19,12 @@ SEPARATE = 0.3
 LEAF_COLOUR, LEAF_REFLECTANCE = (70.0, 95.0, 45.0), 0.4
 MARGIN = 2.0
 SHADE = np.array([0.42, 0.45, 0.52])
-"""What is left of red, green and blue in a cast shadow."""
+"""Shares of red, green and blue that remain in a cast shadow."""
 
 
 @dataclass(frozen=True)
 class TrueDetail:
-    """A detail as it is.
+    """A detail as it was built.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Light:
     penumbra : float
         Width of its soft edge (m).
     gradient : float
-        Share of the brightness that is lost from left to right.
+        Share of the brightness lost from left to right.
     """
 
     shadow: Polygon = field(default_factory=Polygon)
@@ -77,7 +77,7 @@ class Light:
 
 @dataclass(frozen=True)
 class FacadeScan:
-    """What the scanner returned.
+    """The points that the scanner returned.
 
     Attributes
     ----------
@@ -99,7 +99,7 @@ class FacadeScan:
 
 @dataclass(frozen=True)
 class FacadeScene:
-    """A facade, what stands around it, and the stations it is scanned from.
+    """A facade, its surroundings, and the stations from which it is scanned.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ class FacadeScene:
     frame: Frame = field(default_factory=lambda: Frame(np.zeros(3), 180.0, 0.0))
 
     def moved(self, angle_degrees: float, shift_xyz: tuple[float, float, float]) -> "FacadeScene":
-        """Return the scene turned anticlockwise about the world's z axis, then shifted (m)."""
+        """Return the scene rotated anticlockwise about the world's z axis, then shifted (m)."""
         turn = np.radians(angle_degrees)
         x, y, z = self.frame.origin
         turned = np.array([x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn), z])
@@ -141,8 +141,8 @@ class FacadeScene:
         Parameters
         ----------
         spacing : float
-            Of the points of the first station at the wall's middle (m). The others take the same angular
-            step from where they stand, so that the density differs from place to place.
+            Of the points of the first station in the middle of the wall (m). The other stations have the
+            same angular step, so the density varies over the wall.
         range_noise : float
             Standard deviation along the ray (m).
         seed : int
@@ -199,7 +199,7 @@ class FacadeScene:
         return directions.reshape(-1, 3), len(elevations)
 
     def _seen(self, station, directions, reach, met, texture):
-        """Return colour and intensity of what rays meet."""
+        """Return colour and intensity of the surfaces that rays meet."""
         colours = np.array([panel.colour for panel in self.panels] + [LEAF_COLOUR, (0, 0, 0)])
         shares = np.array([panel.reflectance for panel in self.panels] + [LEAF_REFLECTANCE, 0])
         normals = np.array([panel.normal for panel in self.panels] + [(0, 0, 1), (0, 0, 1)])
@@ -221,7 +221,7 @@ class FacadeScene:
         return gradient[:, None] * (share * SHADE + (1 - share))
 
     def _mix(self, station, directions, split, things, texture, generator, results):
-        """Replace what rays at edges return by what the parts of their spots return, in place."""
+        """Replace the returns of rays at edges by those of the parts of their spots, in place."""
         reach, rgb, intensity = results
         if not len(split):
             return
@@ -233,7 +233,7 @@ class FacadeScene:
         radius = 0.5 * (BEAM + DIVERGENCE * typical) / typical
         parts = []
         for number in range(SUBRAYS):
-            # The middle of the spot, and a ring that halves its area.
+            # The middle of the spot, and a ring that divides its area into halves.
             away = 0.0 if number == 0 else np.sqrt(0.5)
             turn = 2 * np.pi * number / (SUBRAYS - 1)
             ray = centre + (away * radius)[:, None] * (np.cos(turn) * right + np.sin(turn) * up)
@@ -241,7 +241,7 @@ class FacadeScene:
             part_reach, met = cast(station, ray, things, int(generator.integers(2**31)))
             parts.append((part_reach, *self._seen(station, ray, part_reach, met, texture)))
         reaches, colours, strengths = (np.stack(values) for values in zip(*parts))
-        # Of surfaces far from each other one returns, the more surely the more of the spot it has.
+        # Of surfaces far from each other one returns, more often that with the larger part of the spot.
         chosen = reaches[generator.integers(SUBRAYS, size=len(split)), np.arange(len(split))]
         with np.errstate(invalid="ignore"):
             alike = np.where(np.isfinite(chosen), np.abs(reaches - chosen) < SEPARATE, ~np.isfinite(reaches))
@@ -252,7 +252,7 @@ class FacadeScene:
 
 
 def _at_edges(met: np.ndarray) -> np.ndarray:
-    """Tell which rays of a grid have a neighbour that meets another panel."""
+    """Return which rays of a grid have a neighbour that meets another panel."""
     edge = np.zeros(met.shape, bool)
     across, along = met[1:] != met[:-1], met[:, 1:] != met[:, :-1]
     for part in (edge[1:], edge[:-1]):
@@ -268,13 +268,13 @@ def _texture(generator: np.random.Generator) -> np.ndarray:
 
 
 def texture_at(texture: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the mottling at places, in grey values."""
+    """Return the mottling at points, in grey values."""
     cells = np.stack([(places[:, 0] + places[:, 2]) / 0.15, places[:, 1] / 0.15])
     return map_coordinates(texture, cells, order=1, mode="grid-wrap")
 
 
 def _depth_within(polygon: Polygon, points: np.ndarray) -> np.ndarray:
-    """Return how deep within a convex polygon points lie; negative outside."""
+    """Return the depth of points within a convex polygon; negative outside."""
     corners = np.array(polygon.exterior.coords)
     if not polygon.exterior.is_ccw:
         corners = corners[::-1]

@@ -1,4 +1,4 @@
-"""A town house: tall windows with painted surrounds, a string course, and a car before it."""
+"""A town house: tall windows with painted surrounds, a string course, and a car in front of it."""
 
 import numpy as np
 from shapely.geometry import Polygon, box

@@ -15,7 +15,7 @@ from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57
 from rasterio.crs import CRS
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 XYZ = np.array([[1.5, 2.25, 3.0], [4.5, 5.25, 6.5], [-7.5, 8.0, 9.125]])
 QUARTER_TURN = ((np.sqrt(0.5), 0, 0, np.sqrt(0.5)), (100, 200, 300))

@@ -11,7 +11,7 @@ from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 XYZ = np.array([[1.5, 2.25, 3.0], [4.5, 5.25, 6.5], [-7.5, 8.0, 9.125]])
 ENCODINGS = ["ascii", "binary_little_endian", "binary_big_endian"]
@@ -132,7 +132,7 @@ def test_chunks_do_not_change_a_bit(tmp_path_factory, size, encoding):
     [
         ("ascii", "ply\n", "plywood\n", "is not a PLY file"),
         ("ascii", "end_header\n", "", "is not a PLY file"),
-        ("ascii", "format ascii", "format morse", "of an encoding that is not known"),
+        ("ascii", "format ascii", "format morse", "of an unknown encoding"),
         ("ascii", "vertex 3", "vertex many", "has a header that cannot be read"),
         ("ascii", "vertex 3", "vertex 0", "holds no points"),
         ("ascii", "vertex 3", "corner 3", "holds no points"),

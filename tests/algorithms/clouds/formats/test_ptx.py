@@ -13,7 +13,7 @@ from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ptx
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 CELLS = np.array([[1.5, 2.25, 3, 0.25], [0, 0, 0, 0.5], [4, 5, 6, 1]])
 QUARTER_TURN = np.array([[0.0, -1, 0, 100], [1, 0, 0, 200], [0, 0, 1, 300], [0, 0, 0, 1]])

@@ -10,7 +10,7 @@ from ichnograph.algorithms.clouds.formats.text import TextSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 
-DATA = Path(__file__).parents[4] / "shared" / "data"
+DATA = Path(__file__).parents[5] / "shared" / "data"
 
 XYZ = [[1.5, 2.25, 3.0], [4.5, 5.25, 6.5], [-7.5, 8.0, 9.125]]
 
@@ -148,7 +148,7 @@ def test_pts_with_several_scans(tmp_path):
 
 @pytest.mark.parametrize("text", ["3\n1 2 3\n4 5 6\n", "1\n1 2 3\n2\n4 5 6\n"])
 def test_pts_with_fewer_points_than_announced_is_truncated(tmp_path, text):
-    with pytest.raises(InputError, match=r"scan\.pts is truncated, for it announces 3 points and holds 2"):
+    with pytest.raises(InputError, match=r"scan\.pts is truncated \(it announces 3 points and holds 2\)"):
         read(write(tmp_path, text, "scan.pts"))
 
 
@@ -171,7 +171,7 @@ def test_a_bad_line_is_named(tmp_path, size, line, problem):
 
 
 @pytest.mark.parametrize("separator", [" ", ",", ";", "\t"])
-def test_a_short_line_beyond_the_sniffed_beginning_is_named(tmp_path, separator):
+def test_a_short_line_beyond_the_examined_beginning_is_named(tmp_path, separator):
     rows = [separator.join(["1.5", "2.5", "3.5", "900"])] * 20000
     rows[15000] = separator.join(["1.5", "2.5", "3.5"])
     with pytest.raises(InputError, match=r"Line 15001 of .*scan\.xyz has 3 columns instead of 4"):
@@ -179,7 +179,7 @@ def test_a_short_line_beyond_the_sniffed_beginning_is_named(tmp_path, separator)
 
 
 def test_a_last_line_that_is_cut_off_is_truncation(tmp_path):
-    with pytest.raises(InputError, match="is truncated, for its last line 3 is cut off"):
+    with pytest.raises(InputError, match=r"is truncated \(its last line 3 is cut off\)"):
         read(write(tmp_path, "1 2 3\n4 5 6\n7 8"))
 
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.cloud import open_cloud
-from ichnograph.algorithms.clouds.writing import point_selection
+from ichnograph.algorithms.clouds.settings import WritingSettings
 from ichnograph.algorithms.clouds.writing.point_selection import write_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError, NothingFoundError
 from ichnograph.algorithms.progress import Progress
@@ -151,16 +151,15 @@ def test_exactly_the_kept_points_are_written_whatever_the_chunks(tmp_path_factor
     folder = tmp_path_factory.mktemp("writing")
     paths = [las(folder / "a.las", 20), las(folder / "b.las", 30)]
     kept = np.array(sorted(kept))
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(point_selection, "CHUNK_SIZE", size)
-        assert write_cloud(open_cloud(paths), kept, folder / "out.las") == len(kept)
+    pieces = WritingSettings(chunk_points=size)
+    assert write_cloud(open_cloud(paths), kept, folder / "out.las", settings=pieces) == len(kept)
     np.testing.assert_array_equal(all_xyz([folder / "out.las"]), all_xyz(paths)[kept])
 
 
 @pytest.mark.parametrize("name", ["out.e57", "out", "out.copc.laz", "out.pts"])
 def test_an_extension_that_cannot_be_written_lists_those_that_can(tmp_path, name):
     cloud = open_cloud([las(tmp_path / "in.las")])
-    with pytest.raises(InputError, match=r"choose one of \.las, \.laz, \.xyz, \.txt, \.csv"):
+    with pytest.raises(InputError, match=r"choose LAZ, LAS or text \(XYZ, TXT, CSV\)"):
         write_cloud(cloud, np.array([0]), tmp_path / name)
 
 

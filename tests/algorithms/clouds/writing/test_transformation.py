@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.cloud import open_cloud, open_sources
-from ichnograph.algorithms.clouds.writing import transformation
+from ichnograph.algorithms.clouds.settings import WritingSettings
 from ichnograph.algorithms.clouds.writing.transformation import (
     transform_cloud,
     transformed_names,
@@ -313,10 +313,9 @@ def test_chunks_do_not_change_a_byte(tmp_path_factory, size):
     np.savetxt(folder / "in.xyz", xyz)
     for name in ("in.las", "in.xyz"):
         transform(folder / name, MATRIX, folder / f"whole_{name}")
-        with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(transformation, "CHUNK_SIZE", size)
-            patch.setattr(transformation, "LINES", size)
-            transform(folder / name, MATRIX, folder / f"parts_{name}")
+        (source,) = open_sources([folder / name])
+        pieces = WritingSettings(chunk_points=size, text_lines=size)
+        transform_cloud(source, MATRIX, folder / f"parts_{name}", UTM, settings=pieces)
         assert (folder / f"whole_{name}").read_bytes() == (folder / f"parts_{name}").read_bytes()
 
 

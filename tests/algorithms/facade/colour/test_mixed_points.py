@@ -18,13 +18,13 @@ from ichnograph.tests.algorithms.facade.colour.panel import (
 
 
 @pytest.mark.parametrize("relative", [None, reflecting()], ids=["colour", "intensity"])
-def test_points_at_the_border_go_to_the_side_they_resemble(relative):
+def test_points_at_the_border_join_the_side_that_they_resemble(relative):
     looks = Appearance(painted(), relative, 0.06)
     grown = ((POINTS > (0.97, 0.47)) & (POINTS < (1.63, 1.33))).all(axis=1)
     np.testing.assert_array_equal(divide_at_half(MESH, LINKED, looks, grown, STEP, 30.0), PANEL)
 
 
-def test_specks_beyond_the_border_are_of_no_detail():
+def test_specks_beyond_the_border_do_not_belong_to_the_detail():
     rgb = painted()
     speck = ((POINTS > (1.62, 0.8)) & (POINTS < (1.66, 0.84))).all(axis=1) & (POINTS[:, 0] > 1.64)
     rgb[speck] = GREEN

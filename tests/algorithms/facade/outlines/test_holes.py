@@ -1,4 +1,4 @@
-"""Openings, recesses and shadows: what was seen behind a gap in the wall tells them apart."""
+"""Openings, recesses and shadows, classified by the points seen behind a gap in the wall."""
 
 import numpy as np
 import pytest
@@ -37,11 +37,11 @@ def test_a_hole_with_jambs_and_a_room_behind_is_an_opening():
     assert kind_of(jamb(), at(lattice(1, 1, 2, 2.5, 0.03), -3.0)) == OPENING
 
 
-def test_jambs_alone_tell_an_opening():
+def test_jambs_alone_show_an_opening():
     assert kind_of(jamb()) == OPENING
 
 
-def test_a_place_behind_which_nothing_was_seen_is_no_window():
+def test_a_gap_behind_which_nothing_was_seen_is_not_a_window():
     assert kind_of(np.empty((0, 3))) is None
 
 
@@ -61,12 +61,12 @@ def test_a_gate_is_a_gap_in_the_foot():
     assert gap.intersection(box(1, 0, 2, 2)).area == pytest.approx(2.0, rel=0.01)
 
 
-def test_a_gable_and_a_notch_in_the_side_are_no_gates():
+def test_a_gable_and_a_notch_in_the_side_are_not_gates():
     gable = Polygon([(0, 0), (4, 0), (4, 2), (2, 3.5), (0, 2)]).difference(box(3.5, 0.8, 4, 1.5))
     assert find_gaps(MultiPolygon([gable]), 0.04) == []
 
 
-def test_places_within_a_polygon_are_not_in_its_holes():
+def test_points_within_a_polygon_are_not_in_its_holes():
     polygon = box(0, 0, 3, 3).difference(box(1, 1, 2, 2))
-    places = np.array([(0.5, 0.5), (1.5, 1.5), (2.5, 1.5), (3.5, 1.5)])
-    np.testing.assert_array_equal(within(polygon, places), [True, False, True, False])
+    points = np.array([(0.5, 0.5), (1.5, 1.5), (2.5, 1.5), (3.5, 1.5)])
+    np.testing.assert_array_equal(within(polygon, points), [True, False, True, False])

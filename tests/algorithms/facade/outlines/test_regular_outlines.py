@@ -55,7 +55,7 @@ def test_a_flat_arch_keeps_its_radius():
 @pytest.mark.parametrize("shape", [
     Point(0, 0).buffer(0.7), Polygon([(0, 0), (2, 0), (1, 1.5)]), box(0, 0, 2, 2).difference(box(1, 1, 2, 2)),
 ], ids=["circle", "triangle", "angle"])  # fmt: skip
-def test_what_is_neither_stays_as_it_was_seen(shape):
+def test_other_shapes_remain_as_they_were_seen(shape):
     outline = make_outline(border_of(shape), True)
 
     assert outline.shape == FREE
@@ -76,7 +76,7 @@ def test_a_branch_before_a_side_does_not_move_it():
     assert outline.polygon.bounds[2] == pytest.approx(1.0, abs=0.002)
 
 
-def test_deviations_tell_the_errors_of_random_borders():
+def test_deviations_agree_with_the_errors_of_random_borders():
     errors, said = [], []
     for seed in range(60):
         outline = make_outline(border_of(box(0, 0, 0.6, 0.6), seed=seed), True)

@@ -18,7 +18,7 @@ def features(path):
 
 
 @pytest.mark.parametrize("name", ["elevation.shp", "elevation.gpkg"])
-def test_the_elevation_has_wall_unseen_place_and_details_in_metres(tmp_path, name):
+def test_the_elevation_has_wall_unseen_area_and_details_in_metres(tmp_path, name):
     write_elevation(tmp_path / name, small_elevation())
     rows, _ = features(tmp_path / name)
 
@@ -39,7 +39,7 @@ def test_what_was_not_seen_has_no_deviation(tmp_path):
     assert set(FIELDS) == set(detail)
 
 
-def test_the_elevation_is_nowhere_on_earth_and_the_details_in_the_site(tmp_path):
+def test_the_elevation_has_a_local_system_and_the_details_that_of_the_site(tmp_path):
     write_elevation(tmp_path / "elevation.shp", small_elevation())
     write_details(tmp_path / "details.shp", small_elevation(), CRS.from_epsg(25833))
 

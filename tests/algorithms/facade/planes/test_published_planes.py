@@ -22,7 +22,7 @@ def test_flat_regions_of_a_cornice_lie_on_one_plane_each():
     xyz = rows[:, :3] / 1000 @ UPRIGHT.T
     _, region, sizes = np.unique(rows[:, 3:6], axis=0, return_inverse=True, return_counts=True)
     region = region.ravel()
-    # Between mouldings a few centimetres deep, planes are told apart by less than that.
+    # The mouldings are a few centimetres deep, so the planes need a smaller distance.
     labels = find_planes(bare(xyz - xyz.min(axis=0)), 0.02).labels
 
     shares = []

@@ -42,7 +42,7 @@ def test_the_largest_upright_plane_is_the_main_one_even_beside_a_larger_street()
     assert np.mean(found.labels[which == 0] == 1) > 0.97
 
 
-def test_street_side_wall_and_tree_are_of_no_plane_of_the_facade():
+def test_street_side_wall_and_tree_are_outside_the_planes_of_the_facade():
     xyz, which = site()
     labels = find_planes(bare(xyz), DISTANCE).labels
     away = np.abs(xyz[:, 1]) > 2 * DISTANCE
@@ -146,7 +146,7 @@ def test_planes_are_numbered_by_their_points_and_the_small_ones_left_out():
     assert len(find_planes(bare(xyz), DISTANCE, PlaneSettings(max_planes=1)).planes) == 1
 
 
-def test_level_ground_is_no_facade():
+def test_level_ground_is_not_a_facade():
     with pytest.raises(NothingFoundError, match="No upright plane"):
         find_planes(bare(street()), DISTANCE)
 

@@ -1,0 +1,17 @@
+"""The settings of reading lists of points."""
+
+from dataclasses import dataclass
+
+from ...settings import judged, physical
+
+
+@dataclass(frozen=True)
+class ListSettings:
+    """Lists of points as text."""
+
+    most_bytes: int = physical(
+        2**20, "About 20 000 points; a larger file is a cloud that was chosen by mistake."
+    )
+    least_numeric_share: float = judged(
+        0.5, "A column with numbers in this share of its rows holds coordinates; the other rows are faulty."
+    )

@@ -1,0 +1,103 @@
+"""The density raster: what walls are extracted from, as a file or from a cloud."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+import rasterio
+from affine import Affine
+from rasterio.crs import CRS
+
+from ...errors import InputError
+from ...raster import write_raster
+from ...reference_systems import require_metres
+from ..walls.height_gate import Heights
+from .density_image import DensityImage
+
+BANDS = ("density", "occupied height", "base", "top", "ground", "spread", "hanging height")
+"""Descriptions of the bands of a density raster."""
+
+OLDER_BANDS = 5
+"""Number of bands that a raster of the plugin has at least; the first versions wrote no more."""
+
+NO_CRS = "The raster has no coordinate reference system, so the results have none either."
+
+
+@dataclass(frozen=True)
+class DensityRaster:
+    """The bands from which walls are extracted.
+
+    Attributes
+    ----------
+    density : ndarray of float32, shape (rows, columns)
+        Nan where there is none.
+    heights : Heights or None
+        None if only a density is known.
+    transform : Affine
+        From (column, row) to world coordinates; square pixels, north up.
+    crs : CRS or None
+    warnings : tuple of str
+        What the user may not have meant.
+    """
+
+    density: np.ndarray
+    heights: Optional[Heights]
+    transform: Affine
+    crs: Optional[CRS]
+    warnings: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, image: DensityImage) -> "DensityRaster":
+        """Return the bands of a density image."""
+        return cls(image.density, image.heights, image.transform, image.crs, image.warnings)
+
+
+def write_density(path: Path, image: DensityImage) -> None:
+    """Write a density image as GeoTIFF with the bands `BANDS`."""
+    arrays = (image.density, image.occupied, image.base, image.top, image.ground, image.spread, image.hanging)
+    write_raster(path, dict(zip(BANDS, arrays)), image.transform, image.crs)
+
+
+def read_density(path: Path) -> DensityRaster:
+    """Read a density raster; one of another origin may hold a single band.
+
+    Raises
+    ------
+    InputError
+        If the file is no raster, is turned or has oblong pixels, is not in metres, or holds no density.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"INPUT {path}: there is no such file; check the path.")
+    try:
+        with rasterio.open(path) as raster:
+            bands = dict(zip(raster.descriptions, range(1, raster.count + 1)))
+            _check_grid(path, raster)
+            if set(BANDS[:OLDER_BANDS]) <= set(bands):
+                arrays = [_filled(raster, bands[name]) for name in BANDS if name in bands]
+            else:
+                arrays = [_filled(raster, 1)]
+            transform, crs = raster.transform, raster.crs
+    except (rasterio.errors.RasterioError, OSError) as error:
+        raise InputError(
+            f"INPUT {path}: cannot be read as a raster; give the output of 'densityimage'."
+        ) from error
+    density, *rest = arrays
+    if not (density > 0).any():
+        raise InputError(f"INPUT {path}: holds no density above 0; is it the right raster?")
+    return DensityRaster(density, Heights(*rest) if rest else None, transform, crs, () if crs else (NO_CRS,))
+
+
+def _check_grid(path: Path, raster: rasterio.DatasetReader) -> None:
+    t = raster.transform
+    if t.is_identity:
+        raise InputError(f"INPUT {path}: is not georeferenced; give the output of 'densityimage'.")
+    if t.b or t.d or t.a <= 0 or abs(t.a + t.e) > 1e-6 * t.a:
+        raise InputError(f"INPUT {path}: pixels must be square and north up; resample it with the Warp tool.")
+    if raster.crs:
+        require_metres(raster.crs, str(path))
+
+
+def _filled(raster: rasterio.DatasetReader, number: int) -> np.ndarray:
+    return raster.read(number, masked=True).astype(np.float32).filled(np.nan)

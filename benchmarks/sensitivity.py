@@ -1,0 +1,212 @@
+"""What each constant of the settings costs if it is 30 % smaller or larger, one at a time.
+
+make sensitivity, or: python3 -m ichnograph.benchmarks.sensitivity [site_plan facade registration]
+    [--change 0.3] [--match faces] [--angular-step 0.5]
+
+Scores are shares between 0 and 1: of the site plan, the mean of completeness and correctness at 5 cm and the
+share of rooms with the right area; of facades, the share of details found, less those invented, and of sizes
+within 1 cm; of the registration, the share of scenes with the right answer. Printed are the changes of the
+mean score in percent, and the largest change on a single scene. "no effect" means that every result is the
+same to the last digit; such a constant is a candidate for deletion, unless it guards against what no scene
+holds.
+"""
+
+import argparse
+import os
+import pickle
+import tempfile
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Callable, Optional
+
+import numpy as np
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.errors import IchnographError
+from ichnograph.algorithms.evaluation.plan import compare_plan
+from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.settings import FacadeSettings
+from ichnograph.algorithms.registration.settings import Settings as RegistrationSettings
+from ichnograph.algorithms.settings import Constant, constants, with_constant
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import make_site_plan
+from ichnograph.tests.scenes import SCENES
+from ichnograph.tests.scenes.__main__ import write_laz
+from ichnograph.tests.scenes.facades import FACADES
+from ichnograph.tests.scenes.facades.judging import judge
+from ichnograph.tests.scenes.judging import room_errors
+from ichnograph.tests.scenes.targets import target_scene
+from shapely.ops import unary_union
+
+from .facade import points_of
+from .registration import NOISE, registered, verdict
+
+TOLERANCE = 0.05
+ROOM_ERROR = 0.02
+SIZE_ERROR = 0.01
+SPACING = 0.02
+LAYOUTS = ((12, 8, 5), (30, 12, 6), (50, 15, 8))
+TRIALS = 15
+PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a run gave on one scene: a score from 0 to 1, and the result as bytes."""
+
+    score: float
+    result: bytes
+
+
+Scene = Callable[[Any], Outcome]
+"""Runs the settings of its chapter on a scene."""
+
+
+def plan_scene(name: str, folder: Path, angular_step: float) -> Scene:
+    """Return a scene for site plans; its scan is written to a folder."""
+    scene = SCENES[name](0).moved(*PLACE)
+    scan = scene.scan(angular_step, seed=0)
+    path = folder / f"{name}.laz"
+    write_laz(path, scan, np.ones(len(scan.points), bool), "EPSG:25833")
+    return partial(_plan, path, scene.truth, scan.seen_boundary)
+
+
+def _plan(path: Path, truth: Any, seen: Any, settings: SitePlanSettings) -> Outcome:
+    plan = make_site_plan(open_cloud([path]), settings)
+    walls = unary_union([wall.outline for wall in plan.walls])
+    agreement = compare_plan(walls, truth, TOLERANCE, seen)
+    scores = [agreement.completeness, agreement.correctness]
+    errors = room_errors(walls, truth, seen)
+    if errors:
+        scores.append(float(np.mean(np.array(errors) < ROOM_ERROR)))
+    drawn = [walls.wkb, *(axis.line.wkb for axis in plan.axes or ())]
+    drawn += [room.outline.wkb for room in plan.rooms or ()]
+    return Outcome(float(np.mean(scores)), b"".join(drawn))
+
+
+def facade_scene(name: str) -> Scene:
+    """Return a scene for facades."""
+    scene = FACADES[name](0).moved(*PLACE)
+    return partial(_elevation, scene, points_of(scene.scan(SPACING, seed=0)))
+
+
+def _elevation(scene: Any, points: Any, settings: FacadeSettings) -> Outcome:
+    elevation = measure_facade(points, settings)
+    found = judge(elevation, scene)
+    right = [np.abs(pair.size).max() <= SIZE_ERROR for pair in found.pairs]
+    details = len(found.pairs) + len(found.missed)
+    scores = [max(len(found.pairs) - len(found.invented), 0) / details, sum(right) / details]
+    drawn = [detail.outline.wkb for detail in elevation.details]
+    stds = [np.array(detail.edges.left).tobytes() for detail in elevation.details if detail.edges]
+    return Outcome(float(np.mean(scores)), b"".join(drawn + stds))
+
+
+def target_scenes(layout: tuple[int, int, int]) -> Scene:
+    """Return scenes of one layout for the registration."""
+    return partial(_registered, [target_scene(*layout, NOISE, seed) for seed in range(TRIALS)])
+
+
+def _registered(scenes: Sequence[Any], settings: RegistrationSettings) -> Outcome:
+    answers = [registered(scene, settings) for scene in scenes]
+    right = [verdict(answer, scene) == "right" for scene, answer in zip(scenes, answers)]
+    return Outcome(float(np.mean(right)), pickle.dumps(answers))
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A chapter: its settings, and its scenes by name."""
+
+    settings: Any
+    scenes: dict[str, Scene]
+
+
+def chapters(names: Sequence[str], folder: Path, angular_step: float) -> Iterator[tuple[str, Chapter]]:
+    """Yield the chosen chapters with their scenes."""
+    if "site_plan" in names:
+        settings = SitePlanSettings(with_axes=True, with_rooms=True)
+        yield (
+            "site_plan",
+            Chapter(settings, {name: plan_scene(name, folder, angular_step) for name in SCENES}),
+        )
+    if "facade" in names:
+        yield "facade", Chapter(FacadeSettings(), {name: facade_scene(name) for name in FACADES})
+    if "registration" in names:
+        scenes = {"{}/{}/{}".format(*layout): target_scenes(layout) for layout in LAYOUTS}
+        yield "registration", Chapter(RegistrationSettings(sigma=NOISE), scenes)
+
+
+def varied(value: Any, factor: float) -> Optional[Any]:
+    """Return numbers times a factor, whole ones changed by 1 at least; None if there is no number."""
+    if isinstance(value, bool) or value is None or isinstance(value, str):
+        return None
+    if isinstance(value, tuple):
+        parts = [varied(part, factor) for part in value]
+        return None if None in parts else tuple(parts)
+    if isinstance(value, int):
+        step = max(1, round(abs(factor - 1) * value))
+        return max(value + (step if factor > 1 else -step), 0)
+    return value * factor if isinstance(value, float) and np.isfinite(value) else None
+
+
+def outcome(scene: Scene, settings: Any) -> Outcome:
+    """Run a scene; where nothing can be found, or settings are refused, the score is 0."""
+    with suppress(IchnographError, ValueError, ZeroDivisionError, IndexError):
+        return scene(settings)
+    return Outcome(0.0, b"")
+
+
+def effect(
+    chapter: Chapter, base: dict[str, Outcome], constant: Constant, factor: float
+) -> Optional[list[float]]:
+    """Return the changes of the scores on all scenes; None if no result changed at all."""
+    value = varied(constant.value, factor)
+    if value is None or value == constant.value:
+        return None
+    settings = with_constant(chapter.settings, constant.path, value)
+    after = {name: outcome(scene, settings) for name, scene in chapter.scenes.items()}
+    if all(after[name].result == base[name].result for name in after):
+        return None
+    return [after[name].score - base[name].score for name in after]
+
+
+def _words(changes: Optional[list[float]]) -> str:
+    if changes is None:
+        return "no effect"
+    largest = max(changes, key=abs)
+    return f"{100 * float(np.mean(changes)):+.2f} ({100 * largest:+.1f})"
+
+
+def main() -> None:
+    """Print a row for each constant."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("chapters", nargs="*", default=["site_plan", "facade", "registration"])
+    parser.add_argument("--change", type=float, default=0.3, help="share by which constants are varied")
+    parser.add_argument("--match", default="", help="only constants whose path holds this")
+    parser.add_argument("--angular-step", type=float, default=0.5, help="of the scanner, degrees")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(os.cpu_count()) as pool:
+        for name, chapter in chapters(arguments.chapters, Path(folder), arguments.angular_step):
+            base = {scene: outcome(run, chapter.settings) for scene, run in chapter.scenes.items()}
+            scores = ", ".join(f"{scene} {found.score:.3f}" for scene, found in base.items())
+            print(f"\n{name}: {scores}\n", flush=True)
+            print("| constant | value | kind | smaller: mean (largest) % | larger: mean (largest) % |")
+            print("|---|---|---|---|---|", flush=True)
+            chosen = [item for item in constants(chapter.settings) if arguments.match in ".".join(item.path)]
+            runs = [
+                [pool.submit(effect, chapter, base, item, factor) for factor in _factors(arguments.change)]
+                for item in chosen
+            ]
+            for item, pair in zip(chosen, runs):
+                cells = " | ".join(_words(run.result()) for run in pair)
+                print(f"| {'.'.join(item.path)} | {item.value} | {item.kind} | {cells} |", flush=True)
+
+
+def _factors(change: float) -> tuple[float, float]:
+    return 1 - change, 1 + change
+
+
+if __name__ == "__main__":
+    main()

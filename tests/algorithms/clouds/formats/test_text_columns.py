@@ -1,0 +1,63 @@
+"""Columns without names are recognised by what their numbers look like."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.clouds.formats.text_columns import Columns, columns_by_count, columns_by_name
+from ichnograph.algorithms.errors import InputError
+
+SCAN = Path("scan.txt")
+
+
+def by_count(*rows, numeric_share=0.5):
+    values = np.array(
+        [[float(field) if field[0] in "-0123456789" else np.nan for field in row.split()] for row in rows]
+    )
+    return columns_by_count(SCAN, [row.split() for row in rows], values, numeric_share)
+
+
+def test_named_columns_are_used_by_their_names():
+    names = {"x": 2, "y": 1, "z": 0, "red": 3, "green": 4, "blue": 5, "nx": 6, "ny": 7}
+    assert columns_by_name(names) == Columns((2, 1, 0), None, (3, 4, 5), None)
+
+
+def test_used_columns_are_coordinates_then_intensity_then_colour():
+    assert Columns((0, 1, 2), 6, (3, 4, 5), (7, 8, 9)).used == (0, 1, 2, 6, 3, 4, 5)
+    assert Columns((2, 1, 0)).used == (2, 1, 0)
+
+
+@pytest.mark.parametrize(
+    ("rows", "columns"),
+    [
+        (["1.5 2.5 3.5", "2.5 3.5 4.5"], Columns((0, 1, 2))),
+        (["1.5 2.5 3.5 0.7", "2.5 3.5 4.5 0.8"], Columns((0, 1, 2), 3)),
+        (["1.5 2.5 3.5 200 10 0", "2.5 3.5 4.5 7 8 9"], Columns((0, 1, 2), None, (3, 4, 5))),
+        (["1.5 2.5 3.5 -12 200 10 0", "2.5 3.5 4.5 34 7 8 9"], Columns((0, 1, 2), 3, (4, 5, 6))),
+        (["P1 1.5 2.5 3.5", "P2 2.5 3.5 4.5"], Columns((1, 2, 3))),
+        (["1 1.5 2.5 3.5", "2 2.5 3.5 4.5"], Columns((1, 2, 3))),
+    ],
+)
+def test_columns_follow_the_usual_order(rows, columns):
+    assert by_count(*rows) == (columns, ())
+
+
+def test_a_first_column_that_repeats_is_a_coordinate():
+    assert by_count("1 1.5 2.5 3.5", "1 2.5 3.5 4.5")[0] == Columns((0, 1, 2), 3)
+
+
+def test_columns_of_unknown_meaning_are_left_out_with_a_warning():
+    columns, warnings = by_count("1.5 2.5 3.5 0.1 0.2", "2.5 3.5 4.5 0.3 0.4")
+    assert columns == Columns((0, 1, 2))
+    assert warnings == ("The columns of scan.txt after x y z have no names and were left out.",)
+
+
+def test_a_column_of_words_with_some_numbers_is_no_coordinate():
+    rows = ("1.5 2.5 7 3.5", "2.5 3.5 wall 4.5", "2.5 3.5 roof 4.5")
+    assert by_count(*rows)[0].xyz == (0, 1, 3)
+    assert by_count(*rows, numeric_share=0.3)[0].xyz == (0, 1, 2)
+
+
+def test_fewer_than_three_columns_of_numbers_are_refused():
+    with pytest.raises(InputError, match="has fewer than three columns of numbers"):
+        by_count("1.5 wall 3.5", "2.5 roof 4.5")

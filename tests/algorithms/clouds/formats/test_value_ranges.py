@@ -1,0 +1,42 @@
+"""Intensity and colour of any range become 0..65535."""
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.clouds.formats.value_ranges import intensity_scale, rgb_factor, to_uint16
+
+
+@pytest.mark.parametrize(
+    ("values", "signed", "low", "high"),
+    [
+        ([0.0, 0.25, 1.0], False, 0.0, 1.0),
+        ([-2048, 0, 2047], False, -2048, 2047),
+        ([0, 100, 2047], True, -2048, 2047),
+        ([0, 100, 65535], False, 0, 65535),
+    ],
+)
+def test_the_ends_of_the_range_become_0_and_65535(values, signed, low, high):
+    summand, factor = intensity_scale(np.array(values, float), signed)
+    assert (low + summand) * factor == pytest.approx(0)
+    assert (high + summand) * factor == pytest.approx(65535)
+
+
+def test_whole_zeros_and_ones_are_not_taken_for_a_range_up_to_1():
+    assert intensity_scale(np.array([0.0, 1.0, 1.0])) == (0.0, 1.0)
+
+
+def test_what_is_not_a_number_does_not_count():
+    assert intensity_scale(np.array([np.nan, 0.5])) == (0.0, 65535.0)
+
+
+@pytest.mark.parametrize(
+    ("brightest", "factor"),
+    [([0.5, 1.0, 0.0], 65535), ([255, 0, 1], 257), ([256, 0, 1], 1), ([65535, 9, 1], 1)],
+)
+def test_the_brightest_colour_decides_how_many_bits_there_are(brightest, factor):
+    assert rgb_factor(np.array([brightest, [0, 0, 0]], float)) == factor
+
+
+def test_values_are_rounded_and_clipped():
+    values = to_uint16(np.array([-5.0, 0.4, 0.6, 65534.7, 70000.0, np.nan]))
+    np.testing.assert_array_equal(values, [0, 0, 1, 65535, 65535, 0])
+    assert values.dtype == np.uint16

@@ -1,0 +1,87 @@
+"""A store gives back all points by tile, in the order of the cloud."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.clouds.settings import TileSettings
+from ichnograph.algorithms.clouds.tiles.lattice import LATTICE
+from ichnograph.algorithms.clouds.tiles.tile_store import TileStore, fill, stray_warning
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.progress import Progress
+
+ORIGIN = np.array([600_000.0, 5_000_000.0, 0.0])
+XYZ = np.random.default_rng(4).uniform([-9, -9, 0], [9, 9, 3], (200, 3)).round(4)
+
+
+def points_of(store):
+    """Return the coordinates that a store holds, in the order of the cloud."""
+    tiles = [store.tile(key) for key in store.counts()]
+    order = np.argsort(np.concatenate([tile.index for tile in tiles]))
+    corners = [np.tile([*tile.corner, 0], (len(tile.xyz), 1)) for tile in tiles]
+    return ((np.concatenate([tile.xyz for tile in tiles]) + np.concatenate(corners)) * LATTICE)[order]
+
+
+@pytest.mark.parametrize("pieces", [1, 7, 200])
+def test_all_points_come_back_however_they_arrive(pieces):
+    with TileStore(4.0) as store:
+        for part in np.array_split(XYZ, pieces):
+            store.add(part, ORIGIN)
+        assert store.point_count == sum(store.counts().values()) == 200
+        np.testing.assert_allclose(points_of(store), XYZ + ORIGIN, rtol=0, atol=1e-8)
+
+
+def test_a_tile_holds_its_points_in_the_order_of_the_cloud():
+    with TileStore(4.0) as store:
+        for part in np.array_split(XYZ, 3):
+            store.add(part, ORIGIN)
+        for key, tile in store.tiles(list(store.counts()), Progress(), "Reading"):
+            inside = np.floor((XYZ[:, :2] + ORIGIN[:2]) / 4.0 + 1e-9).astype(int)
+            np.testing.assert_array_equal(tile.index, np.flatnonzero((inside == key).all(axis=1)))
+            assert tile.xyz[:, :2].min() >= 0 and tile.xyz[:, :2].max() < tile.edge
+
+
+def test_rows_that_are_not_kept_are_gone():
+    with TileStore(100.0) as store:
+        store.add(XYZ, np.zeros(3))
+        key = max(store.counts(), key=store.counts().get)
+        before = store.tile(key).index
+        store.keep(key, np.array([0, 2]))
+        assert store.counts()[key] == 2
+        np.testing.assert_array_equal(store.tile(key).index, before[[0, 2]])
+
+
+def test_stray_points_are_counted_and_left_out():
+    stray = np.array([[0, 0, 30_000.0], [2e9, 0, 0]])
+    with TileStore(4.0) as store:
+        store.add(np.concatenate([XYZ, stray]), ORIGIN)
+        assert (store.point_count, store.stray_count, sum(store.counts().values())) == (202, 2, 200)
+    with TileStore(4.0, TileSettings(max_height_m=1.0)) as store:
+        store.add(XYZ, ORIGIN)
+        assert store.stray_count == (XYZ[:, 2] >= 1).sum()
+
+
+def cloud(path: Path, heights):
+    np.savetxt(path, np.column_stack([np.arange(len(heights)), np.zeros(len(heights)), heights]), "%.3f")
+    return open_cloud([path])
+
+
+def test_a_cloud_of_which_too_much_is_stray_is_refused(tmp_path):
+    with TileStore(4.0) as store, pytest.raises(InputError, match="2 of 100 points lie more than 20 km high"):
+        fill(store, cloud(tmp_path / "a.xyz", [0.5] * 98 + [1e6] * 2), Progress())
+
+
+def test_one_stray_point_in_a_hundred_is_a_warning(tmp_path):
+    site = cloud(tmp_path / "a.xyz", [0.5] * 99 + [1e6])
+    with TileStore(4.0) as store:
+        fill(store, site, Progress())
+        assert stray_warning(site, store.stray_count, store.point_count) == (
+            "a.xyz: 1 of 100 points lie far away from the site and are left out.",
+        )
+    assert stray_warning(site, 0, 100) == ()
+
+
+def test_a_store_that_is_not_open_says_so():
+    with pytest.raises(ValueError, match="not open"):
+        TileStore(4.0).add(XYZ, ORIGIN)

@@ -1,0 +1,65 @@
+"""Lists of lengths, in the layouts that schedules and people write."""
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.evaluation.length_lists import read_reference, read_schedule
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(content):
+        (tmp_path / "list.csv").write_text(content, encoding="utf-8")
+        return tmp_path / "list.csv"
+
+    return write
+
+
+def test_a_schedule_has_lengths_with_standard_deviations_where_they_are_known(write):
+    path = write("id,kind,width,height,sill,width_std,height_std\n1,recess,1.2,1.5,,0.002,\n")
+    found = read_schedule(path)
+
+    assert found.source == str(path)
+    assert [item[:3] for item in found.lengths] == [("1", "width", 1.2), ("1", "height", 1.5)]
+    np.testing.assert_array_equal([item.std for item in found.lengths], [0.002, np.nan])
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "id,dimension,length\n1,width,1.2\n2,Height,2.0\n",
+        "ID; Width; Height\n1; 1,2;\n2; ; 2,0\n",
+        "\ufeffid,width,height\r\n1,1.2,\r\n\r\n2,,2.0\r\n",
+    ],
+    ids=["long", "semicolons and decimal commas", "spreadsheet"],
+)
+def test_a_reference_may_be_written_in_several_ways(write, content):
+    found = read_reference(write(content)).lengths
+
+    assert [item[:3] for item in found] == [("1", "width", 1.2), ("2", "height", 2.0)]
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        ("name,width\n1,1.2\n", "has no column id; add or rename it"),
+        ("id,breadth\n1,1.2\n", "has no lengths; name its columns id, width, height and sill, or"),
+        ("id,width\n1,wide\n", "Line 2 of .*: the width wide is not a length in metres"),
+        ("id,width\n1,inf\n", "Line 2 of .*: the width inf is not a length in metres"),
+        ("id,dimension,length\n1,depth,1.2\n", "Line 2 of .*: the dimension must be .*, not depth"),
+        ("", "has no column id"),
+    ],
+)
+def test_a_bad_reference_is_refused_by_name(write, content, sentence):
+    with pytest.raises(InputError, match=sentence):
+        read_reference(write(content))
+
+
+def test_a_schedule_without_heights_is_refused(write):
+    with pytest.raises(InputError, match="has no column height"):
+        read_schedule(write("id,width\n1,1.2\n"))
+
+
+def test_a_file_that_is_missing_is_named(tmp_path):
+    with pytest.raises(InputError, match=r"none\.csv cannot be read"):
+        read_schedule(tmp_path / "none.csv")

@@ -1,0 +1,121 @@
+"""Layers of points, with heights as Z values or in a field, and with names or without."""
+
+import fiona
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.registration.lists.point_list import points_of_features, read_point_list
+from ichnograph.tests.algorithms.registration.lists.written_lists import XYZ, refuse, write
+from rasterio.crs import CRS
+
+UTM = CRS.from_epsg(25833).to_wkt()
+
+
+def write_layer(path, points, fields=None, rows=None, geometry="3D Point", crs_wkt=UTM, **options):
+    drivers = {".shp": "ESRI Shapefile", ".gpkg": "GPKG", ".geojson": "GeoJSON", ".fgb": "FlatGeobuf"}
+    schema = {"geometry": geometry, "properties": fields or {}}
+    kind = geometry.replace("3D ", "")
+    with fiona.open(path, "w", drivers[path.suffix], schema, crs_wkt=crs_wkt, **options) as layer:
+        for point, values in zip(points, rows or [{}] * len(points)):
+            shape = {"type": kind, "coordinates": [point] if kind == "MultiPoint" else point}
+            layer.write({"geometry": shape, "properties": values})
+    return path
+
+
+@pytest.mark.parametrize("suffix", [".shp", ".gpkg", ".geojson", ".fgb"])
+@pytest.mark.parametrize("geometry", ["3D Point", "3D MultiPoint"])
+def test_layers_of_points_with_z(tmp_path, suffix, geometry):
+    rows = [{"Name": "007"}, {"Name": "T 2"}, {"Name": "Tür"}]
+    options = {"SPATIAL_INDEX": "NO"} if suffix == ".fgb" else {}
+    path = write_layer(tmp_path / f"control{suffix}", XYZ, {"Name": "str"}, rows, geometry, **options)
+    points = read_point_list(path)
+    assert (points.name, points.names, points.named) == ("control", ("007", "T 2", "Tür"), True)
+    np.testing.assert_array_equal(points.xyz, XYZ)
+    assert points.crs.to_epsg() == 25833
+
+
+def test_layers_without_names_are_numbered(tmp_path):
+    fields, rows = {"id": "int", "code": "str"}, [{"id": None, "code": "a"}] * 3
+    points = read_point_list(write_layer(tmp_path / "a.gpkg", XYZ, fields, rows))
+    assert (points.names, points.named) == (("1", "2", "3"), False)
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "names"),
+    [("int", [7, 8, 9], ("7", "8", "9")), ("float", [7.0, 8.0, 9.0], ("7", "8", "9"))],
+)
+def test_numbers_are_names_too(tmp_path, kind, values, names):
+    rows = [{"PT_NR": value} for value in values]
+    assert read_point_list(write_layer(tmp_path / "a.shp", XYZ, {"PT_NR": kind}, rows)).names == names
+
+
+def test_a_field_that_names_every_point_goes_before_one_that_does_not():
+    features = [((1, 2, 3), {"name": None, "id": 4}), ((1, 2, 3), {"name": "a", "id": 5})]
+    assert points_of_features("list", "the layer", features, "").names == ("4", "5")
+
+
+def test_heights_may_stand_in_a_field(tmp_path):
+    rows = [{"name": name, "Height": point[2]} for name, point in zip("abc", XYZ)]
+    flat = [point[:2] for point in XYZ]
+    path = write_layer(tmp_path / "a.shp", flat, {"name": "str", "Height": "float"}, rows, "Point")
+    np.testing.assert_array_equal(read_point_list(path).xyz, XYZ)
+
+
+@pytest.mark.parametrize(
+    ("crs_wkt", "sentence"),
+    [
+        (CRS.from_epsg(4326).to_wkt(), "are in degrees .EPSG:4326.; reproject"),
+        (CRS.from_epsg(2263).to_wkt(), "are in US survey foot .EPSG:2263.; reproject"),
+    ],
+)
+def test_layers_that_are_not_in_metres_are_refused(tmp_path, crs_wkt, sentence):
+    refuse(write_layer(tmp_path / "a.gpkg", XYZ, crs_wkt=crs_wkt), sentence)
+
+
+def test_the_frame_of_a_scanner_is_no_system(tmp_path):
+    local = 'LOCAL_CS["scanner",UNIT["metre",1]]'
+    assert read_point_list(write_layer(tmp_path / "a.gpkg", XYZ, crs_wkt=local)).crs is None
+    assert read_point_list(write_layer(tmp_path / "a.shp", XYZ, crs_wkt=None)).crs is None
+
+
+def test_of_several_layers_one_is_chosen(tmp_path):
+    path = write_layer(tmp_path / "site.gpkg", XYZ, layer="control")
+    write_layer(path, XYZ[:2], layer="scan 1")
+    refuse(path, r"several layers of points \(control, scan 1\); write site.gpkg\|layername=control")
+    refuse(path, "has no layer scan 2 of points; choose among: control, scan 1", layer="scan 2")
+    chosen = read_point_list(path, "scan 1")
+    assert (chosen.name, len(chosen.names)) == ("scan 1", 2)
+
+
+def test_layers_of_anything_else_do_not_count(tmp_path):
+    path = write_layer(tmp_path / "site.gpkg", XYZ, layer="control")
+    write_layer(path, [], layer="walls", geometry="Polygon")
+    write_layer(path, [], layer="layer_styles", geometry="None", fields={"name": "str"})
+    assert read_point_list(path).name == "site"
+    assert read_point_list(path, "control").name == "site"
+    refuse(path, "has no layer walls of points", layer="walls")
+
+
+@pytest.mark.parametrize(
+    ("features", "sentence"),
+    [
+        ([], "the layer holds no points"),
+        ([((1, 2, 3), {}), (None, {})], "Feature 2 of the layer is not a single point"),
+        ([((1, 2, 3), {}), ((1, 2, float("nan")), {})], "Feature 2 of the layer has a coordinate"),
+        ([((1, 2), {})], "The points of the layer have no heights; give them Z"),
+        ([((1, 2), {"z": 3}), ((1, 2), {"z": "low"})], "Feature 2 of the layer has a coordinate"),
+        ([((1, 2, 3), {"name": "a"}), ((1, 2, 3), {"name": ""})], "Feature 2 of the layer has no name"),
+        (
+            [((1, 2, 3), {"id": 0}), ((1, 2, 4), {"id": 0})],
+            "Two points .* called 0, in feature 1 and feature 2",
+        ),
+    ],
+)
+def test_features_that_are_no_list_are_refused(features, sentence):
+    with pytest.raises(InputError, match=sentence):
+        points_of_features("list", "the layer", features, "")
+
+
+def test_what_only_looks_like_a_layer_is_refused(tmp_path):
+    refuse(write(tmp_path, "T1 1 2 3\n", "a.shp"), "cannot be read as a layer")
+    refuse(write_layer(tmp_path / "b.gpkg", [], geometry="Polygon"), "has no layer of points")

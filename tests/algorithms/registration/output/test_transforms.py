@@ -1,0 +1,231 @@
+"""The TRANSFORMS file: what was found comes back exactly, and what cannot be used is named."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.registration.output.transforms import (
+    match_clouds,
+    read_transforms,
+    write_transforms,
+)
+from ichnograph.algorithms.registration.results import (
+    Correspondence,
+    Estimate,
+    GlobalTest,
+    Registration,
+    ScaleTest,
+    ScanRegistration,
+)
+from ichnograph.algorithms.registration.settings import Model, Settings
+from rasterio.crs import CRS
+from scipy.spatial.transform import Rotation
+
+NOWHERE = np.full(3, np.nan)
+MATRIX = np.eye(4)
+MATRIX[:3, :3] = 1.0001 * Rotation.from_euler("xyz", [1, 2, 130], degrees=True).as_matrix()
+MATRIX[:3, 3] = [412345.6789012345, 5812345.1234567891, 1 / 3]
+
+
+@pytest.fixture
+def registration():
+    correspondence = Correspondence(
+        target="1",
+        control="tower",
+        surveyed=True,
+        used=False,
+        position=np.array([1.0, 2, 3]),
+        residual=np.array([0.001, -0.002, 0.1 + 0.2]),
+        redundancy=NOWHERE,
+        normalized=np.array([0.5, 0.6, 9.7]),
+        studentized=NOWHERE,
+        detectable=NOWHERE,
+        covariance=np.eye(3),
+    )
+    good = ScanRegistration(
+        name="Hall",
+        status="registered",
+        reason="",
+        targets=5,
+        matrix=MATRIX,
+        scale=1.0001,
+        estimates=(Estimate("scale", 1.0001, 0.00002),),
+        correlations=np.eye(1),
+        correspondences=(correspondence,),
+        unmatched=("4", "5"),
+        test=GlobalTest(1.5, 0.0, float("nan"), float("nan")),
+        scale_test=ScaleTest(100.0, 20.0, True, "The scale differs from 1."),
+        chance=np.float64(1e-9),
+        round=1,
+    )
+    bad = ScanRegistration("Gärten", "ambiguous", "Two solutions.", 3, rivals=({"1": "a"}, {"1": "b"}))
+    return Registration(
+        settings=Settings(model=Model.SIMILARITY),
+        tolerance=0.006,
+        scans=(good, bad),
+        points=(),
+        test=GlobalTest(1.5, 4.0, 0.9, 0.6),
+        crs=CRS.from_epsg(25833),
+        warnings=("Look out.",),
+    )
+
+
+@pytest.fixture
+def written(registration, tmp_path):
+    write_transforms(registration, tmp_path / "transforms.json")
+    return tmp_path / "transforms.json"
+
+
+def by_hand(tmp_path, **changes):
+    scan = {"name": "Hall", "matrix": MATRIX.tolist(), **changes}
+    path = tmp_path / "by_hand.json"
+    path.write_text(json.dumps({"scans": [scan]}))
+    return path
+
+
+def test_matrices_states_and_reference_system_come_back_exactly(written):
+    transforms = read_transforms(written)
+    good, bad = transforms.scans
+    np.testing.assert_array_equal(good.matrix, MATRIX)
+    assert (good.name, good.status, good.reason) == ("Hall", "registered", "")
+    assert (bad.name, bad.status, bad.reason, bad.matrix) == ("Gärten", "ambiguous", "Two solutions.", None)
+    assert transforms.crs == CRS.from_epsg(25833)
+
+
+def test_the_file_says_all_that_the_contract_promises(written):
+    document = json.loads(written.read_text(encoding="utf-8"))
+    good, bad = document["scans"]
+    assert good["parameters"] == {"scale": {"value": 1.0001, "std": 0.00002}}
+    (correspondence,) = good["correspondences"]
+    assert [correspondence[key] for key in ("target", "control", "used")] == ["1", "tower", False]
+    assert [correspondence[key] for key in ("vx", "vy", "vz")] == [0.001, -0.002, 0.1 + 0.2]
+    assert (good["scale"], good["unmatched"], good["chance"]) == (1.0001, ["4", "5"], 1e-9)
+    assert (bad["rivals"], bad["matrix"], bad["scale"]) == ([{"1": "a"}, {"1": "b"}], None, None)
+    assert (document["model"], document["sigma0"], document["warnings"]) == ("similarity", 0.9, ["Look out."])
+
+
+def test_what_cannot_be_known_is_null(written):
+    (good, _) = json.loads(written.read_text(encoding="utf-8"))["scans"]
+    assert good["sigma0"] is None
+    assert good["correspondences"][0]["detectable"] == [None, None, None]
+
+
+def test_the_same_registration_gives_the_same_bytes(registration, written, tmp_path):
+    write_transforms(registration, tmp_path / "again.json")
+    assert (tmp_path / "again.json").read_bytes() == written.read_bytes()
+
+
+def test_a_name_and_a_matrix_are_enough(tmp_path):
+    (scan,) = read_transforms(by_hand(tmp_path)).scans
+    assert (scan.name, scan.status) == ("Hall", "registered")
+    np.testing.assert_array_equal(scan.matrix, MATRIX)
+
+
+def test_six_decimals_of_a_rotation_are_enough(tmp_path):
+    matrix = np.eye(4)
+    matrix[:3, :3] = Rotation.from_euler("z", 33, degrees=True).as_matrix().round(7)
+    read_transforms(by_hand(tmp_path, matrix=matrix.tolist()))
+
+
+def test_a_code_names_a_reference_system_too(tmp_path):
+    (tmp_path / "a.json").write_text(
+        json.dumps({"crs": "EPSG:25833", "scans": [{"name": "a", "matrix": MATRIX.tolist()}]})
+    )
+    assert read_transforms(tmp_path / "a.json").crs == CRS.from_epsg(25833)
+
+
+def changed(row, column, value):
+    matrix = MATRIX.tolist()
+    matrix[row][column] = value
+    return matrix
+
+
+@pytest.mark.parametrize(
+    ("matrix", "problem"),
+    [
+        (None, "is not four rows of four numbers"),
+        ("eye", "is not four rows of four numbers"),
+        (MATRIX[:3].tolist(), "is not four rows of four numbers"),
+        ([[1, 0], [0]], "is not four rows of four numbers"),
+        (changed(0, 3, float("nan")), "holds something that is not a number"),
+        (changed(0, 3, None), "holds something that is not a number"),
+        (changed(3, 0, 1.0), "does not end in the row 0 0 0 1"),
+        (np.diag([1.0, 1, -1, 1]).tolist(), "mirrors the scan"),
+        (np.diag([1.0, 1, 1.00001, 1]).tolist(), "distorts the scan because its rotation is not orthogonal"),
+        (np.diag([0.0, 0, 0, 1]).tolist(), "distorts the scan because its rotation is not orthogonal"),
+    ],
+)
+def test_a_matrix_that_is_no_similarity_is_named_with_its_scan(tmp_path, matrix, problem):
+    path = by_hand(tmp_path, matrix=matrix)
+    with pytest.raises(InputError) as caught:
+        read_transforms(path)
+    assert str(caught.value) == f"The matrix of the scan Hall in {path} {problem}; register the scan again."
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("{", "is not json"),
+        ("[]", "lists no scans"),
+        ("{}", "lists no scans"),
+        ('{"scans": []}', "lists no scans"),
+        ('{"scans": [7]}', "Scan number 1 in"),
+        ('{"scans": [{"matrix": []}]}', "has no name"),
+        (
+            '{"scans": [{"name": "a", "status": "units"}, {"name": "a", "status": "units"}]}',
+            "the scan a twice",
+        ),
+        ('{"crs": "Mars", "scans": [{"name": "a", "status": "units"}]}', "cannot be understood"),
+        (b"\xff\xfe\x00", "is not json"),
+    ],
+)
+def test_another_file_is_refused_in_one_sentence(tmp_path, text, sentence):
+    path = tmp_path / "other.json"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(InputError, match=sentence) as caught:
+        read_transforms(path)
+    assert str(path) in str(caught.value)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(InputError, match=r"missing\.json cannot be read"):
+        read_transforms(tmp_path / "missing.json")
+
+
+@pytest.mark.parametrize("name", ["Hall.laz", "hall.xyz", "HALL.COPC.LAZ", "Hall.copc.laz"])
+def test_a_cloud_has_the_scan_of_its_name(written, name):
+    (scan,), warnings = match_clouds(read_transforms(written), [Path("clouds", name)])
+    assert (scan.name, warnings) == ("Hall", ())
+
+
+def test_capitals_matter_where_names_differ_in_nothing_else(tmp_path):
+    scans = [{"name": name, "matrix": MATRIX.tolist()} for name in ("A", "a")]
+    (tmp_path / "t.json").write_text(json.dumps({"scans": scans}))
+    matched, _ = match_clouds(read_transforms(tmp_path / "t.json"), [Path("a.las"), Path("A.las")])
+    assert [scan.name for scan in matched] == ["a", "A"]
+
+
+def test_one_cloud_and_one_scan_belong_together_but_it_is_said(tmp_path):
+    path = by_hand(tmp_path)
+    (scan,), warnings = match_clouds(read_transforms(path), [Path("export 7.laz")])
+    assert scan.name == "Hall"
+    assert warnings == (f"The only scan in {path}, Hall, is used for export 7.laz.",)
+
+
+def test_a_cloud_without_a_scan_is_told_the_names(written):
+    with pytest.raises(InputError, match=r"no scan for attic\.laz in .*, only Hall, Gärten; name the cloud"):
+        match_clouds(read_transforms(written), [Path("attic.laz")])
+
+
+def test_a_cloud_whose_scan_is_not_registered_is_told_why(written):
+    told = r"Gärten\.laz is left out because .* not registered in .* \(ambiguous: Two solutions\)\."
+    with pytest.raises(InputError, match=told):
+        match_clouds(read_transforms(written), [Path("Gärten.laz")])
+
+
+def test_a_cloud_whose_scan_is_not_registered_does_not_stop_the_others(written):
+    scans, warnings = match_clouds(read_transforms(written), [Path("Gärten.laz"), Path("Hall.laz")])
+    assert [scan and scan.name for scan in scans] == [None, "Hall"]
+    assert len(warnings) == 1 and "Gärten.laz is left out" in warnings[0]

@@ -1,0 +1,94 @@
+"""The density raster goes out and comes back; foreign rasters are taken or refused."""
+
+import numpy as np
+import pytest
+import rasterio
+from affine import Affine
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.raster import write_raster
+from ichnograph.algorithms.site_plan.density.density_image import DensityImage
+from ichnograph.algorithms.site_plan.density.density_raster import (
+    BANDS,
+    NO_CRS,
+    DensityRaster,
+    read_density,
+    write_density,
+)
+from rasterio.crs import CRS
+
+GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
+
+
+def write(path, values, **profile):
+    profile = {"driver": "GTiff", "count": 1, "dtype": "float32", "transform": GRID, **profile}
+    with rasterio.open(path, "w", height=values.shape[0], width=values.shape[1], **profile) as raster:
+        raster.write(values.astype(profile["dtype"]), 1)
+    return path
+
+
+def test_what_is_written_is_read_again(tmp_path):
+    bands = np.random.default_rng(0).random((7, 20, 30)).astype(np.float32)
+    bands[:, 3, 4] = np.nan
+    image = DensityImage(*bands, GRID, CRS.from_epsg(25833), 10, 5, ())
+    write_density(tmp_path / "density.tif", image)
+    raster = read_density(tmp_path / "density.tif")
+    assert (raster.transform, raster.crs) == (GRID, CRS.from_epsg(25833))
+    np.testing.assert_array_equal(raster.density, bands[0])
+    for read, band in zip(vars(raster.heights).values(), bands[1:]):
+        np.testing.assert_array_equal(read, band)
+
+
+def test_the_bands_of_an_image_are_taken_as_they_are():
+    bands = np.random.default_rng(0).random((7, 20, 30)).astype(np.float32)
+    image = DensityImage(*bands, GRID, CRS.from_epsg(25833), 10, 5, ("A warning.",))
+    raster = DensityRaster.of(image)
+    assert raster.density is image.density
+    assert raster.heights.hanging is image.hanging
+    assert (raster.transform, raster.crs, raster.warnings) == (GRID, CRS.from_epsg(25833), ("A warning.",))
+
+
+def test_a_raster_without_a_reference_system_is_a_warning(tmp_path):
+    assert read_density(write(tmp_path / "bare.tif", np.eye(4))).warnings == (NO_CRS,)
+    assert read_density(write(tmp_path / "utm.tif", np.eye(4), crs=CRS.from_epsg(25833))).warnings == ()
+
+
+def test_a_raster_of_an_older_version_is_read_without_the_later_bands(tmp_path):
+    names = BANDS[:5]
+    bands = {name: np.full((4, 4), i + 1.0, np.float32) for i, name in enumerate(names)}
+    write_raster(tmp_path / "old.tif", bands, GRID, None)
+    heights = read_density(tmp_path / "old.tif").heights
+    assert heights.ground[0, 0] == 5
+    assert heights.spread is None and heights.hanging is None
+
+
+def test_a_single_band_is_a_density_without_heights(tmp_path):
+    raster = read_density(write(tmp_path / "counts.tif", np.eye(4), nodata=0))
+    assert raster.heights is None
+    assert np.isnan(raster.density[0, 1]) and raster.density[0, 0] == 1
+
+
+@pytest.mark.parametrize(
+    ("profile", "word"),
+    [
+        ({"transform": Affine(0.1, 0, 0, 0, -0.2, 0)}, "square"),
+        ({"transform": Affine(0.09, 0.03, 412_300.0, 0.03, -0.09, 5_812_700.0)}, "north up"),
+        ({"crs": CRS.from_epsg(4326)}, "metres"),
+        ({"crs": CRS.from_epsg(2225)}, "metres"),
+    ],
+)
+def test_a_grid_that_cannot_serve_is_refused(tmp_path, profile, word):
+    with pytest.raises(InputError, match=rf"bad\.tif.*{word}"):
+        read_density(write(tmp_path / "bad.tif", np.eye(4), **profile))
+
+
+def test_a_raster_without_any_density_is_refused(tmp_path):
+    with pytest.raises(InputError, match="no density"):
+        read_density(write(tmp_path / "empty.tif", np.zeros((4, 4))))
+
+
+def test_a_missing_file_and_a_text_file_are_refused(tmp_path):
+    with pytest.raises(InputError, match="no such file"):
+        read_density(tmp_path / "none.tif")
+    (tmp_path / "text.tif").write_text("not a raster")
+    with pytest.raises(InputError, match="cannot be read"):
+        read_density(tmp_path / "text.tif")

@@ -1,0 +1,53 @@
+"""The pixels of a site, and the tiles that belong to it."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.site_plan.density.grid import Grid, make_grid, site_tiles
+from ichnograph.algorithms.site_plan.density.settings import SiteSettings
+
+
+def store(counts):
+    """Return what `site_tiles` asks of a store of tiles of 10 m, in lattice steps of 10 micrometres."""
+    return SimpleNamespace(counts=lambda: counts, edge=1_000_000, stray_count=0)
+
+
+def test_edges_of_pixels_are_multiples_of_their_size():
+    grid = make_grid(np.array([123_456, -5]), np.array([150_000, 20_000]), 10_000, 1)
+    assert (grid.column, grid.row, grid.width, grid.height) == (11, -2, 6, 6)
+    assert grid.corner == (110_000, -20_000)
+    assert grid.shape == (6, 6)
+
+
+def test_the_transform_begins_at_the_upper_left_corner():
+    transform = Grid(11, -2, 6, 5, 10_000).transform
+    assert transform * (0, 0) == pytest.approx((1.1, 0.3))
+    assert transform * (6, 5) == pytest.approx((1.7, -0.2))
+
+
+def test_a_raster_that_is_too_large_is_refused_with_its_size():
+    with pytest.raises(InputError, match=r"10001 x 10001 pixels .*PIXEL_SIZE"):
+        make_grid(np.zeros(2, int), np.full(2, 100_000_000), 10_000, 0)
+    small = SiteSettings(most_pixels=3)
+    with pytest.raises(InputError, match="more than 3"):
+        make_grid(np.zeros(2, int), np.full(2, 10_000), 10_000, 0, small)
+
+
+def test_parts_of_a_site_up_to_the_gap_apart_are_one():
+    counts = {(0, 0): 1000, (1, 0): 1000, (3, 0): 1000}
+    assert site_tiles(store(counts)) == ([(0, 0), (1, 0), (3, 0)], 0)
+
+
+def test_few_or_thin_points_far_away_are_stray():
+    counts = {(0, 0): 100_000, (50, 0): 50, (90, 0): 1500}
+    keys, stray = site_tiles(store(counts))
+    assert keys == [(0, 0)]
+    assert stray == 1550
+
+
+def test_a_second_building_far_away_belongs_to_the_site():
+    keys, stray = site_tiles(store({(0, 0): 100_000, (50, 0): 20_000}))
+    assert keys == [(0, 0), (50, 0)]
+    assert stray == 0

@@ -1,0 +1,85 @@
+"""The layers of a site plan: their fields, and what is null."""
+
+from dataclasses import replace
+
+import fiona
+import numpy as np
+import pytest
+import rasterio
+from ichnograph.algorithms.site_plan.axes.axes import find_axes
+from ichnograph.algorithms.site_plan.output.layers import (
+    AXIS_FIELDS,
+    ROOM_FIELDS,
+    WALL_FIELDS,
+    write_axes,
+    write_plan,
+    write_rooms,
+    write_walls,
+)
+from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.tests.algorithms.site_plan.house import UTM, plan_of_house
+from shapely.geometry import Point, box, shape
+
+HOUSE = box(412_300, 5_812_300, 412_306.6, 5_812_304.6).difference(
+    box(412_300.3, 5_812_300.3, 412_306.3, 5_812_304.3)
+)
+TOWER = Point(412_320, 5_812_300).buffer(3.0, 64).difference(Point(412_320, 5_812_300).buffer(2.5, 64))
+
+
+def test_wall_pixels_are_ones_where_the_plan_has_them(tmp_path):
+    plan = plan_of_house()
+    write_plan(tmp_path / "plan.tif", plan)
+    with rasterio.open(tmp_path / "plan.tif") as raster:
+        assert (raster.transform, raster.crs) == (plan.transform, UTM)
+        np.testing.assert_array_equal(raster.read(1), plan.image.walls)
+
+
+@pytest.mark.parametrize("name", ["walls.shp", "walls.gpkg"])
+def test_walls_are_polygons_with_null_for_what_is_unknown(tmp_path, name):
+    plan = plan_of_house()
+    write_walls(tmp_path / name, plan)
+    write_walls(tmp_path / f"pixels_{name}", replace(plan, walls=plan.pixel_walls))
+    with fiona.open(tmp_path / name) as layer, fiona.open(tmp_path / f"pixels_{name}") as pixels:
+        assert list(layer.schema["properties"]) == list(WALL_FIELDS)
+        assert layer.crs.to_epsg() == 25833
+        rows = [feature["properties"] for feature in layer]
+        before = [feature["properties"] for feature in pixels]
+    assert [row["wall_id"] for row in rows] == [wall.wall_id for wall in plan.walls]
+    assert rows[0]["thickness"] == pytest.approx(plan.walls[0].thickness, abs=1e-3)
+    assert before[0]["thickness"] is None and before[0]["coverage"] is None
+
+
+@pytest.mark.parametrize("name", ["axes.shp", "axes.gpkg"])
+def test_axes_are_lines_with_azimuth_or_radius_and_null_for_the_other(tmp_path, name):
+    write_axes(tmp_path / name, replace(plan_of_house(), axes=find_axes([(7, HOUSE), (9, TOWER)])))
+    with fiona.open(tmp_path / name) as layer:
+        assert list(layer.schema["properties"]) == list(AXIS_FIELDS)
+        rows = [feature["properties"] for feature in layer]
+    assert [row["wall_id"] for row in rows] == [7, 7, 7, 7, 9]
+    assert [row["axis_id"] for row in rows] == [1, 2, 3, 4, 5]
+    assert [row["radius"] is None for row in rows] == [True, True, True, True, False]
+    assert [row["azimuth"] is None for row in rows] == [False, False, False, False, True]
+    assert rows[4]["radius"] == pytest.approx(2.75, abs=0.01)
+    assert rows[0]["thickness"] == pytest.approx(0.3, abs=0.001)
+
+
+@pytest.mark.parametrize("name", ["rooms.shp", "rooms.gpkg"])
+def test_rooms_are_polygons_with_their_floor_or_null(tmp_path, name):
+    house, tower = find_rooms([HOUSE, TOWER])
+    rooms = (replace(house, z_floor=71.3), tower)
+    write_rooms(tmp_path / name, replace(plan_of_house(), rooms=rooms))
+    with fiona.open(tmp_path / name) as layer:
+        assert list(layer.schema["properties"]) == list(ROOM_FIELDS)
+        house, tower = (feature["properties"] for feature in layer)
+        outline = shape(layer[1 if name.endswith("gpkg") else 0]["geometry"])
+    assert (house["area"], house["perimeter"], house["openings"]) == (24.0, 20.0, 0)
+    assert house["z_floor"] == pytest.approx(71.3, abs=0.001)
+    assert tower["z_floor"] is None
+    assert outline.area == pytest.approx(24.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("rooms", [(), None])
+def test_without_rooms_the_layer_is_empty(tmp_path, rooms):
+    write_rooms(tmp_path / "rooms.shp", replace(plan_of_house(), rooms=rooms))
+    with fiona.open(tmp_path / "rooms.shp") as layer:
+        assert len(layer) == 0

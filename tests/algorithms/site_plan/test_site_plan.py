@@ -1,0 +1,162 @@
+"""A cloud becomes the plan of a site in one call."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import CancelledError, NothingFoundError
+from ichnograph.algorithms.progress import Progress
+from ichnograph.algorithms.site_plan.density.density_image import density_image
+from ichnograph.algorithms.site_plan.density.density_raster import (
+    NO_CRS,
+    read_density,
+    write_density,
+)
+from ichnograph.algorithms.site_plan.density.height_range import HeightRange
+from ichnograph.algorithms.site_plan.rooms.settings import RoomSettings
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
+from ichnograph.algorithms.site_plan.site_plan import NO_ROOM, extract_walls, make_site_plan
+from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
+from ichnograph.tests.algorithms.site_plan.house import (
+    ROOMS,
+    THICKNESS,
+    plan_of_house,
+    points_of_house,
+    walls_of_house,
+)
+from ichnograph.tests.algorithms.site_plan.masonry import offset
+from ichnograph.tests.algorithms.site_plan.rasters import wall_tower_and_beam
+from ichnograph.tests.algorithms.site_plan.site import cloud_of, level
+from shapely.geometry import box
+
+EVERYTHING = SitePlanSettings(with_axes=True, with_rooms=True)
+GATE = box(1.0, -0.3, 3.0, 0.0)
+
+
+def test_the_outlines_of_walls_lie_on_their_faces():
+    (wall,) = plan_of_house().walls
+    assert offset(wall.outline, walls_of_house()) < 0.03
+    assert wall.thickness == pytest.approx(THICKNESS, abs=0.01)
+    assert wall.z_base == pytest.approx(0.0, abs=0.05)
+    assert wall.z_top == pytest.approx(2.4, abs=0.05)
+
+
+def test_the_outlines_of_pixels_are_kept_beside_those_on_the_faces():
+    plan = plan_of_house()
+    (wall,) = plan.pixel_walls
+    assert 0.05 < offset(wall.outline, walls_of_house()) < 0.3
+    assert wall.thickness is None
+
+
+def test_without_refinement_the_walls_are_those_of_pixels():
+    plan = make_site_plan(cloud_of(points_of_house()), SitePlanSettings(refine=False))
+    assert plan.walls == plan.pixel_walls == plan_of_house().pixel_walls
+    assert plan.coverage == 0.0
+
+
+def test_rooms_lie_between_the_faces_and_know_their_floor():
+    large, small = plan_of_house().rooms
+    assert (large.area, small.area) == pytest.approx([room.area for room in ROOMS], rel=0.02)
+    assert (large.openings, small.openings) == (1, 1)
+    assert large.z_floor == pytest.approx(0.0, abs=0.03)
+    assert plan_of_house().room_area == large.area + small.area
+
+
+def test_axes_run_along_every_wall():
+    plan = plan_of_house()
+    assert plan.axes_length == pytest.approx(sum(axis.length for axis in plan.axes))
+    # Around the house, and the partition on both sides of its door.
+    assert plan.axes_length == pytest.approx(2 * (7.6 + 4.3) + 3.4, abs=0.2)
+    assert {axis.wall_id for axis in plan.axes} == {1}
+
+
+def test_axes_and_rooms_are_looked_for_only_if_they_are_wanted():
+    plan = make_site_plan(cloud_of(points_of_house()))
+    assert (plan.axes, plan.rooms) == (None, None)
+    assert plan.walls == plan_of_house().walls
+
+
+def test_the_density_image_is_that_of_the_cloud():
+    points = points_of_house()
+    plan, image = plan_of_house(), density_image(cloud_of(points))
+    assert (plan.density.points_in, plan.density.points_kept) == (len(points), image.points_kept)
+    assert plan.transform == image.transform
+    np.testing.assert_array_equal(plan.density.density, image.density)
+
+
+def test_the_settings_reach_the_density_image_and_the_walls():
+    walls = WallParameters(threshold_steps=4, closing=0.5)
+    settings = SitePlanSettings(0.08, 0.2, 0, HeightRange(0.5, 1.5, above_ground=True), walls)
+    plan = make_site_plan(cloud_of(points_of_house()), settings)
+    image = density_image(cloud_of(points_of_house()), 0.08, 0.2, 0, heights=settings.height_range)
+    np.testing.assert_array_equal(plan.density.density, image.density)
+    assert (len(plan.image.steps), plan.image.gap) == (4, 0.5)
+    assert plan.settings is settings
+
+
+def test_the_width_of_doors_decides_which_rooms_are_closed():
+    cloud = cloud_of(points_of_house(GATE))
+    assert len(make_site_plan(cloud, EVERYTHING).rooms) == 1
+    wider = make_site_plan(cloud, replace(EVERYTHING, rooms=RoomSettings(door_width_m=2.1)))
+    assert len(wider.rooms) == 2
+
+
+def test_a_house_without_a_closed_room_is_a_warning():
+    plan = make_site_plan(cloud_of(points_of_house(GATE, box(5, -0.3, 7, 0))), EVERYTHING)
+    assert plan.rooms == ()
+    assert plan.warnings == (NO_ROOM,)
+
+
+def with_stray(points):
+    return np.concatenate([points, [[900.0, 40.0, 2.0]]])
+
+
+def test_what_was_noticed_on_the_way_is_a_warning():
+    plan = make_site_plan(cloud_of(with_stray(points_of_house())), SitePlanSettings(spacing_m=0.12))
+    stray, sparse = plan.warnings
+    assert "lie far away" in stray
+    assert sparse.startswith("SPACING 0.12 m is wider")
+
+
+def test_warnings_are_not_lost_if_no_wall_is_found():
+    with pytest.raises(NothingFoundError, match="No wall found") as caught:
+        make_site_plan(cloud_of(with_stray(level((0, 8), (0, 8), 0.0))))
+    (warning,) = caught.value.warnings
+    assert "lie far away" in warning
+
+
+def test_progress_rises_from_step_to_step():
+    reports = []
+    progress = Progress(lambda fraction, message: reports.append((fraction, message)))
+    make_site_plan(cloud_of(points_of_house()), EVERYTHING, progress)
+    fractions = [fraction for fraction, _ in reports]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
+    messages = list(dict.fromkeys(message for _, message in reports if message))
+    steps = ("Thinning", "Tracing outlines", "Fitting faces", "Finding axes", "Outlining rooms")
+    assert [message for message in messages if message in steps] == list(steps)
+
+
+@pytest.mark.parametrize("step", ["Thinning", "Tracing outlines", "Fitting faces", "Finding axes"])
+def test_it_stops_when_the_caller_asks(step):
+    seen = []
+    progress = Progress(lambda _, message: seen.append(message), lambda: step in seen)
+    with pytest.raises(CancelledError):
+        make_site_plan(cloud_of(points_of_house()), EVERYTHING, progress)
+
+
+def test_the_raster_alone_gives_the_walls_of_pixels(tmp_path):
+    plan = plan_of_house()
+    write_density(tmp_path / "density.tif", plan.density)
+    found = extract_walls(read_density(tmp_path / "density.tif"), WallParameters())
+    assert found.walls == plan.pixel_walls
+    assert found.transform == plan.transform
+    assert found.warnings == (NO_CRS,)
+
+
+def test_the_warnings_of_the_raster_come_before_those_of_the_gate():
+    raster, *_ = wall_tower_and_beam()
+    blind = replace(raster, heights=None, warnings=("A warning of the raster.",))
+    first, second = extract_walls(blind, WallParameters()).warnings
+    assert first == "A warning of the raster."
+    assert "MIN_HEIGHT is not applied" in second
