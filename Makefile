@@ -90,8 +90,8 @@ benchmark: setup  ## Print how long ten million points take, and how much memory
 figure2: setup  ## Draw figure 2 of the paper: point spacing against pixel size
 	$(RUN) -m ichnograph.benchmarks.figure2
 
-real: setup  ## Make the plans of the real scans in ../shared/data
-	$(RUN) -m ichnograph.benchmarks.real_clouds
+real: setup  ## Make the plans of real scans, and compare them with plans drawn by hand (CLOUDS=, REFERENCES=)
+	$(RUN) -m ichnograph.benchmarks.real_clouds $(CLOUDS) $(if $(REFERENCES),--references $(REFERENCES))
 
 registration: setup  ## Print how reliably targets are matched, compared with the installed peers
 	$(RUN_PEERS) -m ichnograph.benchmarks.registration

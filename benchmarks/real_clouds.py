@@ -1,27 +1,50 @@
-"""The default chain on the real scans that a folder holds, to look at each plan.
+"""The plans of real scans with all defaults, compared with plans drawn by hand where there are any.
 
-make real, or: python3 -m ichnograph.benchmarks.real_clouds [FOLDER] [--out build/real]
+make real [CLOUDS=folder] [REFERENCES=folder], or: python3 -m ichnograph.benchmarks.real_clouds [FOLDER]
+    [--references FOLDER] [--out build/real]
 
-FOLDER is the folder of test data (../shared/data), or any folder of clouds; each file is one site. Leaves
-layers and a picture for each: the density image, the outlines of pixels, and those on the faces.
+FOLDER holds clouds, each a site; ../shared/data if not given. A reference
+is a drawn plan (see `algorithms.evaluation.drawn_plan`) called <cloud>.geojson. Tolerance 5 cm; the offset is
+that of outlines within 20 cm of a face. Leaves layers and pictures for each cloud: density image and walls;
+and the plan over a slice, where it agrees with the reference and where not.
 """
 
 import argparse
 import gzip
 import time
 import zipfile
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Optional
 
 import laspy
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import IchnographError
-from ichnograph.algorithms.site_plan.output.layers import write_walls
+from ichnograph.algorithms.evaluation.drawn_plan import (
+    RoomAgreement,
+    compare_rooms,
+    compare_with_drawn,
+    read_drawn_plan,
+)
+from ichnograph.algorithms.evaluation.plan import AGREES, MISSING, WRONG, PlanAgreement
+from ichnograph.algorithms.site_plan.results import SitePlan
+from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.scripts.picture import draw
+from matplotlib.figure import Figure
 
 from .layers import write_layers
+
+TOLERANCE, SEARCH = 0.05, 0.20
+"""Of completeness and correctness, and of offsets, metres."""
+
+SLICE = (1.0, 1.2)
+"""Heights above the ground of the points below a plan in a picture, metres."""
+
+ROOMS = "found / missed / invented"
+STATES = {AGREES: "#1b7837", WRONG: "#d7301f", MISSING: "#2166ac"}
 
 SCANS = (".las", ".laz", ".xyz")
 """Extensions of scans; in others there are lists of points."""
@@ -67,34 +90,109 @@ def write(x: np.ndarray, y: np.ndarray, z: np.ndarray, path: Path) -> Path:
     return path
 
 
+@dataclass(frozen=True)
+class Row:
+    """How a plan agrees with a drawn one; lengths in metres."""
+
+    agreement: PlanAgreement
+    rooms: Optional[RoomAgreement]
+
+    @property
+    def p95_offset(self) -> float:
+        """Distance that 95 % of the outlines near a face do not exceed."""
+        return self.agreement.plan.quantile(0.95, SEARCH)
+
+
+def compared(plan: SitePlan, reference: Path) -> Row:
+    """Compare a plan with the drawn one in a file."""
+    drawn = read_drawn_plan(reference)
+    agreement = compare_with_drawn([wall.outline for wall in plan.walls], drawn, TOLERANCE)
+    rooms = [room.outline for room in plan.rooms or ()]
+    return Row(agreement, compare_rooms(rooms, drawn) if drawn.rooms else None)
+
+
+def cells(row: Optional[Row]) -> str:
+    """Return the cells of a row of the table."""
+    if row is None:
+        return "- | - | - | - | -"
+    found, rooms = row.agreement, row.rooms
+    counts = f"{rooms.found} / {rooms.missed} / {rooms.invented}" if rooms else "-"
+    area = f"{100 * rooms.median_area_error:.1f}" if rooms and rooms.area_errors else "-"
+    return f"{found.completeness:.3f} | {found.correctness:.3f} | {row.p95_offset:.3f} | {counts} | {area}"
+
+
+def mean(rows: Sequence[Row]) -> str:
+    """Return the last row of the table: means, and the sums of rooms."""
+    found = [row.agreement for row in rows]
+    counts = [row.rooms for row in rows if row.rooms]
+    sums = [sum(getattr(count, name) for count in counts) for name in ("found", "missed", "invented")]
+    errors = [error for count in counts for error in count.area_errors]
+    return (
+        f"| mean | {np.mean([item.completeness for item in found]):.3f} "
+        f"| {np.mean([item.correctness for item in found]):.3f} "
+        f"| {np.mean([row.p95_offset for row in rows]):.3f} | {' / '.join(map(str, sums))} "
+        f"| {100 * np.median(errors) if errors else float('nan'):.1f} | | | |"
+    )
+
+
+def slice_of(path: Path, plan: SitePlan) -> np.ndarray:
+    """Return the points of a cloud about the height at which plans are cut, shape (n, 2)."""
+    cloud, ground, grid = open_cloud([path]), plan.density.ground, ~plan.transform
+    found = []
+    for chunk in cloud.chunks():
+        x, y, z = (chunk.xyz + cloud.origin).T
+        column, row = (np.floor(values).astype(int) for values in grid * (x, y))
+        inside = (row >= 0) & (row < ground.shape[0]) & (column >= 0) & (column < ground.shape[1])
+        above = z[inside] - ground[row[inside], column[inside]]
+        near = (above > SLICE[0]) & (above < SLICE[1])
+        found.append(np.column_stack([x[inside][near], y[inside][near]]))
+    return np.concatenate(found)
+
+
+def draw_compared(path: Path, points: np.ndarray, plan: SitePlan, row: Row) -> None:
+    """Draw a plan over a slice: what agrees green, wrong outlines red, missing faces blue."""
+    figure = Figure(figsize=(13, 13), layout="constrained")
+    axes = figure.add_subplot()
+    axes.scatter(*points.T, s=0.2, c="0.6", linewidths=0)
+    for room in plan.rooms or ():
+        axes.fill(*room.outline.exterior.xy, color="#2a8a96", alpha=0.12)
+    for stretch in row.agreement.stretches():
+        axes.plot(*stretch.line.xy, color=STATES[stretch.state], linewidth=1.4)
+    axes.set(aspect="equal", xticks=[], yticks=[])
+    figure.savefig(path, dpi=80)
+
+
 def main() -> None:
-    """Print a row for each cloud."""
+    """Print a row for each cloud, and the mean of those with references."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path, nargs="?", default=Path("../shared/data"))
+    parser.add_argument("--references", type=Path, help="folder of <cloud>.geojson; that of the clouds")
     parser.add_argument("--out", type=Path, default=Path("build/real"))
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
-    print("| cloud | points | walls | length (m) | seconds | remarks |")
-    print("|---|---|---|---|---|---|")
+    rows: list[Row] = []
+    print(f"| cloud | complete | correct | 95 % (m) | rooms {ROOMS} | area error (%) | walls | s | remarks |")
+    print("|---|---|---|---|---|---|---|---|---|")
     for name, path in scans(arguments.folder, arguments.out):
         started = time.perf_counter()
         try:
-            plan = make_site_plan(open_cloud([path]))
+            plan = make_site_plan(open_cloud([path]), SitePlanSettings(with_rooms=True))
         except IchnographError as error:
-            print(f"| {name} | | | | | {error} |", flush=True)
+            print(f"| {name} | | | | | | | | {error} |", flush=True)
             continue
-        density, walls = write_layers(plan, arguments.out, name)
         seconds = time.perf_counter() - started
-        pixels = arguments.out / f"{name}_pixels_walls.shp"
-        write_walls(pixels, replace(plan, walls=plan.pixel_walls))
-        draw(density, walls, arguments.out / f"{name}.png", before=pixels)
+        density, walls = write_layers(plan, arguments.out, name)
+        draw(density, walls, arguments.out / f"{name}.png")
+        reference = (arguments.references or arguments.folder) / f"{name}.geojson"
+        row = compared(plan, reference) if reference.exists() else None
+        if row:
+            rows.append(row)
+            draw_compared(arguments.out / f"{name}_compared.png", slice_of(path, plan), plan, row)
         # These clouds have no coordinate reference system.
         remarks = " ".join(warning for warning in plan.warnings if "reference system" not in warning)
-        print(
-            f"| {name} | {plan.density.points_in} | {len(plan.walls)} | {plan.length:.1f} "
-            f"| {seconds:.1f} | {remarks} |",
-            flush=True,
-        )
+        print(f"| {name} | {cells(row)} | {len(plan.walls)} | {seconds:.1f} | {remarks} |", flush=True)
+    if rows:
+        print(mean(rows))
 
 
 if __name__ == "__main__":

@@ -27,6 +27,17 @@ class Pieces(NamedTuple):
     ends: np.ndarray
     line: np.ndarray
 
+    @property
+    def middles(self) -> np.ndarray:
+        """Of the pieces, shape (n, 2), metres."""
+        return (self.starts + self.ends) / 2
+
+    @property
+    def directions(self) -> np.ndarray:
+        """Of the pieces, shape (n,), degrees from the x axis, from 0 to 180."""
+        along = self.ends - self.starts
+        return np.degrees(np.arctan2(along[:, 1], along[:, 0])) % 180
+
     def chosen(self, selection: np.ndarray) -> "Pieces":
         """Return the pieces of a selection, ndarray of bool, shape (n,)."""
         return Pieces(self.starts[selection], self.ends[selection], self.line[selection])
@@ -88,6 +99,40 @@ def measure_boundary(asked: Pieces, given: Pieces, settings: ComparisonSettings)
     return Boundary(asked, _distances(asked, given, settings.neighbours))
 
 
+def distances_along(asked: Pieces, given: Pieces, search_m: float, angle_deg: float) -> np.ndarray:
+    """Return the distances of asked pieces from the nearest given ones of about the same direction.
+
+    Parameters
+    ----------
+    asked, given : Pieces
+    search_m : float
+        Farther pieces are not found.
+    angle_deg : float
+        Pieces whose directions differ more do not count.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Metres; infinite if there is no such piece.
+    """
+    distances = np.full(len(asked.starts), np.inf)
+    if not len(given.starts):
+        return distances
+    along = given.ends - given.starts
+    longest = float(np.hypot(*along.T).max())
+    middles, angles, others = asked.middles, asked.directions, given.directions
+    near = cKDTree(given.middles).query_ball_point(middles, search_m + longest / 2)
+    for row, candidates in enumerate(near):
+        rows = np.array(candidates, dtype=int)
+        turned = np.abs(others[rows] - angles[row])
+        rows = rows[np.minimum(turned, 180 - turned) <= angle_deg]
+        if len(rows):
+            away = middles[row] - given.starts[rows]
+            share = np.clip((away * along[rows]).sum(axis=1) / (along[rows] ** 2).sum(axis=1), 0, 1)
+            distances[row] = np.hypot(*(away - share[:, None] * along[rows]).T).min()
+    return np.where(distances <= search_m, distances, np.inf)
+
+
 def _lines(shape: BaseGeometry) -> Iterator[BaseGeometry]:
     for part in getattr(shape, "geoms", [shape]):
         if part.area:
@@ -99,7 +144,7 @@ def _lines(shape: BaseGeometry) -> Iterator[BaseGeometry]:
 
 def _distances(asked: Pieces, given: Pieces, neighbours: int) -> np.ndarray:
     """Return how far the middles of the asked pieces are from the nearest of the given ones."""
-    middles = (asked.starts + asked.ends) / 2
+    middles = asked.middles
     starts, ends, _ = given
     if len(starts) == 0 or len(middles) == 0:
         return np.full(len(middles), np.inf)

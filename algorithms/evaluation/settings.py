@@ -35,8 +35,25 @@ class ComparisonSettings:
 
 
 @dataclass(frozen=True)
+class DrawnPlanSettings:
+    """How a plan is compared with one drawn by hand."""
+
+    step_m: float = judged(0.02, "Pieces this short find the end of an error; shorter ones cost time.")
+    angle_deg: float = judged(25.0, "A line across a face does not stand for it.")
+    strip_m: float = physical(
+        0.08, "A wall of which one face was seen is drawn as a strip up to this thick; its back is no face."
+    )
+    thinnest_m: float = physical(0.005, "Pieces nearer across than this are of one side of a strip.")
+    nearer: float = judged(0.25, "By this share of the strip its front is nearer to a face than its back.")
+    neutral_m: float = physical(0.15, "Leaves, frames and sashes are up to this far from the face.")
+    room_overlap: float = judged(0.85, "Above this intersection over union two outlines are one room.")
+    search_m: float = judged(1.0, "Farther from all faces, a distance has no meaning.")
+
+
+@dataclass(frozen=True)
 class EvaluationSettings:
     """All constants of the evaluation."""
 
     outlines: OutlineSettings = OutlineSettings()
     comparison: ComparisonSettings = ComparisonSettings()
+    drawn_plan: DrawnPlanSettings = DrawnPlanSettings()

@@ -40,6 +40,7 @@ class Bodies(NamedTuple):
     reflectance: np.ndarray
     relief: np.ndarray
     lean: np.ndarray
+    passing: np.ndarray
     waves: np.ndarray
 
 
@@ -80,6 +81,7 @@ def flatten(prisms: Sequence[Prism]) -> Bodies:
         np.array([REFLECTANCE[prism.material] for prism in prisms]),
         np.array([prism.relief for prism in prisms], dtype=np.float64),
         np.array([prism.lean for prism in prisms], dtype=np.float64),
+        np.array([prism.passing for prism in prisms], dtype=np.float64),
         _waves(),
     )
 
@@ -178,6 +180,8 @@ def _meet_solids(height, clearance, climbs, slope, bodies, spans, entries, colum
             if near >= best:
                 break
             prism = entries[span, 0]
+            if bodies.passing[prism] > 0 and np.random.random() < bodies.passing[prism]:
+                continue
             bottom, top = bodies.bottom[prism], bodies.top[prism]
             start, rise = height, climb
             if bodies.follows_ground[prism]:
@@ -293,6 +297,8 @@ def panorama(origin, azimuths, elevations, bodies, surroundings, optics, seed):
             else:
                 cosine = spans[span, 2] * level if kind == SIDE else abs(climb) * level
                 brightness = bodies.reflectance[entries[span, 0]] * cosine
+                if bodies.reflectance[entries[span, 0]] == 0:
+                    continue
                 if optics.ghosts > 0 and np.random.random() < optics.ghosts:
                     reach += np.random.random() * (GHOST_RANGE - reach)
                 elif kind == SIDE:

@@ -4,13 +4,14 @@ from collections.abc import Container
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Optional
 
 import numpy as np
 from shapely.affinity import affine_transform
-from shapely.geometry import MultiLineString, MultiPolygon
+from shapely.geometry import LineString, MultiLineString, MultiPolygon, Polygon
 
 from .scanner import Optics, flatten, panorama, surround
-from .things import Ground, Plant, Prism
+from .things import Ground, Mirror, Plant, Prism
 from .truth import dissolved, is_footing, is_wall, seen_boundary
 
 LOWEST_RAY = -60.0
@@ -81,8 +82,19 @@ class Scene:
         Beyond it nothing returns (m).
     ghosts : float
         Share of returns from prisms that appear, after a reflection, as points far behind.
+    range_noise : float
+        Standard deviation along the ray that the scanner of this scene has (m).
     pose : Pose
         From the frame of the prisms to the world.
+    mirrors : tuple of Mirror
+        Each in front of a prism of the material "mirror".
+    drifts : ndarray, shape (n, 3)
+        How far the points of each station are off, as in two passes of a moving scanner; none if not given.
+    local_rooms : tuple of Polygon
+        True rooms, from face to face, in the frame of the prisms.
+    local_openings : tuple of LineString
+        Where doors and windows interrupt the faces of walls: leaves, frames and panes there are neither
+        right nor wrong.
     """
 
     name: str
@@ -92,7 +104,22 @@ class Scene:
     plants: tuple[Plant, ...] = ()
     max_range: float = 80.0
     ghosts: float = 0.0
+    range_noise: float = 0.003
     pose: Pose = field(default_factory=Pose)
+    mirrors: tuple[Mirror, ...] = ()
+    drifts: Optional[np.ndarray] = None
+    local_rooms: tuple[Polygon, ...] = ()
+    local_openings: tuple[LineString, ...] = ()
+
+    @property
+    def rooms(self) -> list[Polygon]:
+        """True rooms, from face to face."""
+        return [self.pose.geometry(room) for room in self.local_rooms]
+
+    @property
+    def openings(self) -> list[LineString]:
+        """Where doors and windows interrupt the faces of walls."""
+        return [self.pose.geometry(opening) for opening in self.local_openings]
 
     @cached_property
     def truth(self) -> MultiPolygon:
@@ -117,7 +144,7 @@ class Scene:
     def scan(
         self,
         angular_step: float = 0.1,
-        range_noise: float = 0.003,
+        range_noise: Optional[float] = None,
         seed: int = 0,
         without: Container[int] = (),
     ) -> Scan:
@@ -127,8 +154,8 @@ class Scene:
         ----------
         angular_step : float
             Between neighbouring rays, in azimuth and elevation (degrees).
-        range_noise : float
-            Standard deviation along the ray (m).
+        range_noise : float, optional
+            Standard deviation along the ray (m); that of the scene if not given.
         seed : int
             Of noise, foliage and the first azimuth of each station.
         without : container of int
@@ -139,7 +166,11 @@ class Scene:
         rows = round((HIGHEST_RAY - LOWEST_RAY) / angular_step)
         elevations = np.radians(LOWEST_RAY) + step * (np.arange(rows) + 0.5)
         bodies, surroundings = flatten(self.prisms), surround(self.ground, self.plants)
-        optics = Optics(float(self.max_range), float(range_noise), float(self.ghosts))
+        optics = Optics(
+            float(self.max_range),
+            float(self.range_noise if range_noise is None else range_noise),
+            float(self.ghosts),
+        )
         random = np.random.default_rng(seed)
         starts = random.uniform(0, step, len(self.scanners))
         seeds = random.integers(2**32, size=len(self.scanners))
@@ -149,11 +180,17 @@ class Scene:
             returned, intensity, hits = panorama(
                 scanner, azimuths + start, elevations, bodies, surroundings, optics, ray_seed
             )
-            return self.pose.points(self._lifted(returned)), intensity, hits
+            images = [mirror.images(scanner, returned) for mirror in self.mirrors]
+            returned = np.concatenate([returned, *images])
+            intensity = np.resize(intensity, len(returned))
+            return returned, intensity, hits
 
         with ThreadPoolExecutor() as pool:
             blocks = list(pool.map(scan_from, self.scanners[kept], starts[kept], seeds[kept]))
         points, intensity, hits = zip(*blocks)
+        if self.drifts is not None:
+            points = [block + drift for block, drift in zip(points, self.drifts[kept])]
+        points = [self.pose.points(self._lifted(block)) for block in points]
         walls = np.array([is_wall(prism, self.ground) for prism in self.prisms])
         return Scan(
             np.concatenate(points),

@@ -13,6 +13,9 @@ REFLECTANCE = {
     "rubble": 0.6,
     "trunk": 0.3,
     "person": 0.35,
+    "glass": 0.1,
+    "cloth": 0.4,
+    "mirror": 0.0,
 }
 PLAN_HEIGHT = 1.3
 """Height above the ground at which the footprint of a leaning prism is true (m)."""
@@ -88,6 +91,8 @@ class Prism:
     lean : (float, float)
         Lean of the prism to the east and to the north, in metres per metre of height. The footprint is
         that at `PLAN_HEIGHT` above the ground, where plans are cut.
+    passing : float
+        Share of the rays that pass through, as through glass or curtains.
     """
 
     footprint: Polygon
@@ -97,6 +102,7 @@ class Prism:
     follows_ground: bool = False
     relief: float = 0.0
     lean: tuple[float, float] = (0.0, 0.0)
+    passing: float = 0.0
 
     def rise(self, ground: Ground) -> float:
         """Return the height of the top above the ground at the middle of the footprint."""
@@ -121,3 +127,42 @@ class Plant:
     centre: tuple
     radii: tuple
     density: float
+
+
+@dataclass(frozen=True)
+class Mirror:
+    """The front of a mirror on a wall; it returns no point of its own, but those of the room, reflected.
+
+    Parameters
+    ----------
+    start, end : (float, float)
+        Ends of its front in plan, the room on the left.
+    bottom, top : float
+    """
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    bottom: float
+    top: float
+
+    def reflected(self, points: np.ndarray) -> np.ndarray:
+        """Return `points`, shape (n, 3), on the other side of the mirror."""
+        start, along = np.array(self.start), np.subtract(self.end, self.start)
+        left = np.array([-along[1], along[0]]) / np.hypot(*along)
+        moved = points.copy()
+        moved[:, :2] -= 2 * ((points[:, :2] - start) @ left)[:, None] * left
+        return moved
+
+    def images(self, scanner: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return which of `points`, shape (n, 3), a scanner also sees in the mirror, and where."""
+        start, along = np.array(self.start), np.subtract(self.end, self.start)
+        left = np.array([-along[1], along[0]]) / np.hypot(*along)
+        before = float((scanner[:2] - start) @ left)
+        images = self.reflected(points[(points[:, :2] - start) @ left > 0])
+        if before <= 0 or not len(images):
+            return np.empty((0, 3))
+        share = before / (before - (images[:, :2] - start) @ left)
+        crossing = scanner + share[:, None] * (images - scanner)
+        station = (crossing[:, :2] - start) @ along / (along @ along)
+        inside = (station >= 0) & (station <= 1) & (crossing[:, 2] >= self.bottom)
+        return images[inside & (crossing[:, 2] <= self.top)]
