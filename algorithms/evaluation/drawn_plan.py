@@ -105,8 +105,14 @@ def drawn_plan(features: Sequence[tuple[BaseGeometry, Mapping[str, Any]]]) -> Dr
     for geometry, properties in features:
         if properties.get("kind") == "room":
             rooms[str(properties.get("note") or "").startswith("optional")].append(geometry)
-    lines = (MultiLineString(of(*kinds)) for kinds in (DEMANDED, ALLOWED, NEUTRAL))
-    return DrawnPlan(*lines, unary_union(of("judged")), tuple(rooms[False]), tuple(rooms[True]))
+    return DrawnPlan(
+        demanded=MultiLineString(of(*DEMANDED)),
+        allowed=MultiLineString(of(*ALLOWED)),
+        neutral=MultiLineString(of(*NEUTRAL)),
+        judged=unary_union(of("judged")),
+        rooms=tuple(rooms[False]),
+        optional_rooms=tuple(rooms[True]),
+    )
 
 
 def compare_with_drawn(
