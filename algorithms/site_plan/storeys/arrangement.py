@@ -8,14 +8,18 @@ from rasterio.features import rasterize, shapes
 from scipy import ndimage
 from shapely.geometry import LineString, box, shape
 from shapely.affinity import affine_transform
-from shapely.ops import linemerge, polygonize, unary_union
+from shapely.ops import polygonize, unary_union
 
 from .footprint import Footprint
 from .levels import Frame
 from .settings import CutSettings
+from .sheets import Sheet
 
 OUTSIDE = -1
 """Number of the cell beyond the frame."""
+
+ON_LINE = 1e-4
+"""A border lies on a line if both its ends are so near to it, metres."""
 
 
 @dataclass(frozen=True)
@@ -88,35 +92,60 @@ def sheet_lines(sheets: Iterable, extension: float) -> list:
     ]
 
 
-def footprint_lines(footprint: Footprint, sheets: list, settings: CutSettings) -> list:
-    """Return the outline of what was seen, straightened, where no sheet runs beside it."""
+def footprint_lines(footprint: Footprint, settings: CutSettings) -> list:
+    """Return the outline of what was seen, straightened."""
     frame = footprint.frame
     unknown = np.isnan(footprint.weight)
     nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
     seen = footprint.weight[tuple(nearest)] >= 0.5
     seen = ndimage.binary_opening(seen)
-    near = unary_union(sheet_lines(sheets, settings.beside_outline_m)).buffer(settings.beside_outline_m)
     lines = []
     for geometry, _ in shapes(seen.astype(np.uint8), mask=seen, connectivity=4):
         outline = affine_transform(shape(geometry), [frame.pixel_m, 0, 0, frame.pixel_m, frame.left, frame.bottom])
-        if outline.area < settings.smallest_outline_m2:
-            continue
-        for ring in (outline.exterior, *outline.interiors):
-            rest = ring.simplify(settings.outline_m).difference(near)
-            rest = linemerge(rest) if rest.geom_type == "MultiLineString" else rest
-            lines += [_extended(part, 2 * settings.beside_outline_m) for part in getattr(rest, "geoms", [rest])]
-    return [line for line in lines if line.length > 0]
+        if outline.area >= settings.smallest_outline_m2:
+            lines += [ring.simplify(settings.outline_m) for ring in (outline.exterior, *outline.interiors)]
+    return lines
 
 
-def _extended(line: LineString, extension: float) -> LineString:
-    """Return an open line that goes on straight at both ends."""
-    if line.is_empty or line.is_ring:
-        return LineString(line.coords) if not line.is_empty else line
-    corners = np.asarray(line.coords)
-    first, last = corners[0] - corners[1], corners[-1] - corners[-2]
-    start = corners[0] + extension * first / np.hypot(*first)
-    stop = corners[-1] + extension * last / np.hypot(*last)
-    return LineString([start, *corners, stop])
+@dataclass(frozen=True)
+class Tracks:
+    """How borders lie to sheets; arrays of shape (borders,).
+
+    Attributes
+    ----------
+    sheet : ndarray of int
+        The sheet on whose line a border lies, the fullest first; -1 if it lies on none.
+    within : ndarray of bool
+        Whether it lies between the ends of that sheet, or of another on the same line.
+    beside : ndarray of bool
+        Whether it lies on no sheet's line, though one runs nearby.
+    """
+
+    sheet: np.ndarray
+    within: np.ndarray
+    beside: np.ndarray
+
+
+def find_tracks(ends: np.ndarray, sheets: list, reach: float) -> Tracks:
+    """Find the sheets that borders, shape (n, 4), lie on or within the reach of, metres."""
+    count = len(ends)
+    sheet, within, beside = np.full(count, -1), np.zeros(count, bool), np.zeros(count, bool)
+    middle = (ends[:, :2] + ends[:, 2:]) / 2
+    for number, one in sorted(enumerate(sheets), key=lambda pair: -pair[1].levels * pair[1].length):
+        first, last, centre = (_away(place, one) for place in (ends[:, :2], ends[:, 2:], middle))
+        on_line = (np.abs(first[1]) < ON_LINE) & (np.abs(last[1]) < ON_LINE)
+        inside = on_line & (centre[0] > 0) & (centre[0] < one.length)
+        near = (np.abs(centre[1]) < reach) & (centre[0] > -reach) & (centre[0] < one.length + reach)
+        sheet[on_line & ((sheet < 0) | (inside & ~within))] = number
+        within |= inside
+        beside |= near
+    return Tracks(sheet, within, beside & (sheet < 0))
+
+
+def _away(places: np.ndarray, sheet: Sheet) -> tuple:
+    """Return how far places lie along and across a sheet from its start, metres."""
+    away = places - sheet.start
+    return away @ sheet.direction, away @ sheet.normal
 
 
 def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple:

@@ -105,7 +105,9 @@ class CutSettings:
     smallest_outline_m2: float = 0.05
     """Smaller spots of floor or ceiling divide nothing."""
     beside_outline_m: float = 0.10
-    """The outline is not used where a sheet lies nearer: the sheet is the better line."""
+    """Where a sheet lies so near to the outline, the sheet is the better line ..."""
+    beside_border: float = 3.0
+    """... and a border on the outline costs so many times more."""
     border_m: float = 0.06
     """What a border without a face costs, in m2 for a metre: half a partition."""
     seen_border: float = 0.05
@@ -116,8 +118,48 @@ class CutSettings:
     """A border with fewer levels of upright surface is not a wall but the limit of the scan."""
     beside_m: float = 0.04
     """Upright surface within this of a border belongs to it."""
+    station_m: float = 0.05
+    """Distance of the stations along a border at which the surface is looked up."""
+    corner_m: float = 0.08
+    """So far along a border from each station: in corners the normals are askew."""
+    off_sheet_levels: float = 8.0
+    """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
-    """An enclosed solid with faces on a smaller share of its rim is a shadow of the scan."""
+    """An enclosed solid with faces on a smaller share of its rim is a shadow of the scan or a piece of furniture."""
+    tall_m: float = 1.9
+    """A face of a column or a core has surface above this height over the floor; furniture has not."""
+    tall_levels: float = 2.0
+    """So many levels of it."""
+
+
+@dataclass(frozen=True)
+class RoomSettings:
+    """Where rooms end at openings, and what is a room."""
+
+    widest_opening_m: float = 2.0
+    """Widest door or passage under a lintel."""
+    widest_window_m: float = 4.0
+    """Widest window over a sill."""
+    head_m: float = 1.9
+    """A lintel is above this height over the floor."""
+    eye_m: tuple = (1.0, 1.7)
+    """Between these heights over the floor an opening is open, and its sill is below."""
+    lintel_levels: float = 2.0
+    """Fewest levels of surface above an opening ..."""
+    parapet_levels: float = 4.0
+    """... or below it."""
+    open_share: float = 0.35
+    """Largest share of the levels at eye height that hold surface in an opening."""
+    neck_m: float = 1.0
+    """A narrow place up to this width is a door without a lintel ..."""
+    narrowing: float = 0.8
+    """... if it is narrower than this share of the spaces on both sides."""
+    smallest_m2: float = 0.8
+    """Smallest room; smaller parts are niches and openings."""
+    narrowest_m: float = 0.7
+    """Narrowest room."""
+    sill_m: float = 0.3
+    """A niche whose floor is higher is a window: below it stands a parapet."""
 
 
 @dataclass(frozen=True)
@@ -134,3 +176,45 @@ class WallSettings:
     """Corners that are no farther off the line of their neighbours are dropped."""
     smallest_m2: float = 0.01
     """Smaller scraps are not walls."""
+    longest_cut_m: float = 0.9
+    """Longest cut between two walls: across a thick wall, slantwise."""
+    column_m2: float = 1.5
+    """A free-standing body is a column up to this area."""
+    opposite_deg: float = 5.0
+    """Two faces of one wall are parallel up to this."""
+
+
+@dataclass(frozen=True)
+class FreeFaceSettings:
+    """Which sheets are walls though they bound no room."""
+
+    run_m: float = 0.3
+    """Shortest face."""
+    from_m: float = 0.3
+    """Levels between this and ..."""
+    to_m: float = 2.3
+    """... this above the floor count: between skirtings and lintels."""
+    filled: float = 0.5
+    """Share of these levels that hold surface."""
+    apart_m: float = 0.12
+    """A face nearer to a border of a room is that border."""
+    front_m: float = 0.3
+    """So far before a face it is clear."""
+
+
+@dataclass(frozen=True)
+class StoreySettings:
+    """All that the plan of a storey is made with."""
+
+    voxels: VoxelSettings = VoxelSettings()
+    levels: LevelSettings = LevelSettings()
+    sheets: SheetSettings = SheetSettings()
+    footprint: FootprintSettings = FootprintSettings()
+    cut: CutSettings = CutSettings()
+    rooms: RoomSettings = RoomSettings()
+    free_faces: FreeFaceSettings = FreeFaceSettings()
+    walls: WallSettings = WallSettings()
+    margin_m: float = 1.0
+    """Width of the rim around the points."""
+    shortest_limit_m: float = 0.1
+    """Shorter limits are gaps in a face."""
