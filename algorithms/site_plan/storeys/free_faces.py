@@ -10,9 +10,14 @@ from .levels import count_levels
 from .settings import FreeFaceSettings, LevelSettings
 
 
+PARALLEL = 0.98
+"""Cosine of the largest angle between the two faces of a wall."""
+
+
 def free_faces(
     sheets: list,
     rooms,
+    faces: np.ndarray,
     uprights: UprightsAlong,
     footprint: Footprint,
     settings: FreeFaceSettings = FreeFaceSettings(),
@@ -24,6 +29,8 @@ def free_faces(
     ----------
     sheets : list of Sheet
     rooms : Polygon or MultiPolygon
+    faces : ndarray of float64, shape (n, 4)
+        Faces that bound rooms; the solid lies to the left.
     uprights : UprightsAlong
     footprint : Footprint
     settings, levels : FreeFaceSettings, LevelSettings
@@ -31,7 +38,7 @@ def free_faces(
     Returns
     -------
     ndarray of float64, shape (n, 4)
-        x, y of both ends; the side on which less was seen lies to the left.
+        x, y of both ends; the solid lies to the left: towards the other face of the wall, or where less was seen.
     """
     within = rooms.buffer(settings.apart_m)
     low, high = round(settings.from_m / levels.level_m), round(settings.to_m / levels.level_m)
@@ -43,7 +50,7 @@ def free_faces(
         for part in getattr(outside, "geoms", [outside]):
             if part.length >= settings.run_m:
                 found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
-    return np.array([_turned(run, footprint, settings.front_m) for run in found]).reshape(-1, 4)
+    return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
 
 
 def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float) -> list:
@@ -57,16 +64,33 @@ def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: flo
     return [place.ravel() for place, (low, high) in zip(places, share) if (high - low) * length >= shortest]
 
 
-def _turned(run: np.ndarray, footprint: Footprint, front: float) -> np.ndarray:
-    """Turn a face so that the side of which less was seen lies to the left."""
+def _turned(run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings) -> np.ndarray:
+    """Turn a face so that the solid lies to the left."""
     start, stop = run[:2], run[2:]
-    x, y = (stop - start) / np.hypot(*(stop - start))
+    along = (stop - start) / np.hypot(*(stop - start))
+    left = np.array([-along[1], along[0]])
+    opposite = _opposite(run, faces, along, settings.thickest_m)
+    if opposite:
+        return run if opposite > 0 else run[[2, 3, 0, 1]]
     places = np.linspace(start, stop, 10)
+    depths = np.linspace(0.2 * settings.front_m, settings.front_m, 6)
     sides = [
-        _seen(footprint, np.concatenate([places + sign * d * np.array([-y, x]) for d in np.linspace(0.06, front, 6)]))
-        for sign in (1, -1)
+        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths])) for sign in (1, -1)
     ]
     return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
+
+
+def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
+    """Return how far faces of rooms turn their solid side to this one: positive from the left, negative from the right."""
+    way = faces[:, 2:] - faces[:, :2]
+    length = np.maximum(np.hypot(*way.T), 1e-9)
+    cosine = way @ along / length
+    ends = np.stack([faces[:, :2], faces[:, 2:]], axis=1) - run[:2]
+    place, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
+    overlap = np.minimum(place[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(place[:, 0], 0)
+    # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
+    facing = (np.abs(cosine) > PARALLEL) & (overlap > 0) & (np.abs(across) < thickest) & (cosine * across < 0)
+    return float((np.sign(across) * overlap)[facing].sum())
 
 
 def _seen(footprint: Footprint, places: np.ndarray) -> float:

@@ -25,12 +25,12 @@ class Parts:
     Attributes
     ----------
     outlines : list of Polygon
-    cells : list of ndarray of int
-        The cells of each part.
+    over_sill : list of bool
+        Whether a part is cut off by the face of a parapet.
     """
 
     outlines: list
-    cells: list
+    over_sill: list
 
 
 @dataclass(frozen=True)
@@ -70,16 +70,14 @@ def find_rooms(
     parapets : list of Polygon
     """
     parts = cut_at_openings(division, uprights, settings, levels)
-    rooms, niches = [], []
-    for part in parts.outlines:
+    rooms, parapets = [], []
+    for part, over_sill in zip(parts.outlines, parts.over_sill):
         for outline in getattr(part, "geoms", [part]):
-            if not are_rooms([outline], settings)[0]:
-                niches.append(outline)
-                continue
-            for piece in cut_at_necks(outline, settings):
-                (rooms if are_rooms([piece], settings)[0] else niches).append(piece)
+            if are_rooms([outline], settings)[0]:
+                rooms += [piece for piece in cut_at_necks(outline, settings) if are_rooms([piece], settings)[0]]
+            elif over_sill and _is_parapet(outline, footprint, storey, settings):
+                parapets.append(outline)
     rooms = [_described(room, footprint) for room in sorted(rooms, key=lambda room: -room.area)]
-    parapets = [niche for niche in niches if _is_parapet(niche, footprint, storey, settings)]
     return rooms, parapets
 
 
@@ -110,7 +108,7 @@ def _median(values: np.ndarray) -> Optional[float]:
 
 def _is_parapet(niche: Polygon, footprint: Footprint, storey: Storey, settings: RoomSettings) -> bool:
     """Tell whether the floor of a niche is a sill."""
-    if niche.area < 0.01:
+    if niche.area < 0.01 or not niche.buffer(-settings.deepest_parapet_m / 2).is_empty:
         return False
     floor = _median(footprint.floor[_pixels(niche, footprint)])
     return floor is not None and floor > storey.floor + settings.sill_m
@@ -125,23 +123,24 @@ def cut_at_openings(
     """Cut what is room along the lines of sheets under lintels and over sills."""
     sides, is_room = division.arrangement.sides, division.is_room
     inside = is_room[sides].all(axis=1)
-    chords = _chords(division, inside, uprights, settings, levels)
+    chords, over_sill = _chords(division, inside, uprights, settings, levels)
     linked = inside & ~chords
     part = label_linked(*sides[linked].T, len(is_room))
-    cells = [np.flatnonzero((part == number) & is_room) for number in np.unique(part[is_room])]
-    outlines = [division.area(own) for own in cells]
-    return Parts(outlines, cells)
+    beside_sill = np.unique(part[sides[over_sill]])
+    numbers = np.unique(part[is_room])
+    outlines = [division.area(np.flatnonzero((part == number) & is_room)) for number in numbers]
+    return Parts(outlines, np.isin(numbers, beside_sill).tolist())
 
 
 def _chords(
     division: Division, inside: np.ndarray, uprights: UprightsAlong, settings: RoomSettings, levels: LevelSettings
-) -> np.ndarray:
-    """Tell the borders within rooms that lie in openings."""
+) -> tuple:
+    """Tell the borders within rooms that lie in openings, and those of them that lie over a parapet."""
     ends, tracks = division.arrangement.ends, division.tracks
     candidate = np.flatnonzero(inside & (tracks.sheet >= 0))
-    chords = np.zeros(len(ends), bool)
+    chords, over_sill = np.zeros(len(ends), bool), np.zeros(len(ends), bool)
     if not len(candidate):
-        return chords
+        return chords, over_sill
     head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
     above = uprights.mean_levels(ends[candidate], -1 << head)
     eye = uprights.mean_levels(ends[candidate], (1 << high) - (1 << low))
@@ -159,7 +158,8 @@ def _chords(
         lintel = wide <= settings.widest_opening_m and surface[0] >= settings.lintel_levels
         parapet = wide <= settings.widest_window_m and surface[2] >= settings.parapet_levels
         chords[candidate[run]] = lintel or parapet
-    return chords
+        over_sill[candidate[run]] = parapet
+    return chords, over_sill
 
 
 def _nodes(ends: np.ndarray) -> set:

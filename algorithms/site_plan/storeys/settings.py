@@ -136,7 +136,7 @@ class CutSettings:
 class RoomSettings:
     """Where rooms end at openings, and what is a room."""
 
-    widest_opening_m: float = 2.0
+    widest_opening_m: float = 2.5
     """Widest door or passage under a lintel."""
     widest_window_m: float = 4.0
     """Widest window over a sill."""
@@ -146,7 +146,7 @@ class RoomSettings:
     """Between these heights over the floor an opening is open, and its sill is below."""
     lintel_levels: float = 2.0
     """Fewest levels of surface above an opening ..."""
-    parapet_levels: float = 4.0
+    parapet_levels: float = 5.0
     """... or below it."""
     open_share: float = 0.35
     """Largest share of the levels at eye height that hold surface in an opening."""
@@ -158,8 +158,10 @@ class RoomSettings:
     """Smallest room; smaller parts are niches and openings."""
     narrowest_m: float = 0.7
     """Narrowest room."""
-    sill_m: float = 0.3
-    """A niche whose floor is higher is a window: below it stands a parapet."""
+    sill_m: float = 0.5
+    """A niche whose floor is higher is a window: below it stands a parapet ..."""
+    deepest_parapet_m: float = 0.6
+    """... unless it is deeper than walls are thick."""
 
 
 @dataclass(frozen=True)
@@ -200,6 +202,8 @@ class FreeFaceSettings:
     """A face nearer to a border of a room is that border."""
     front_m: float = 0.3
     """So far before a face it is clear."""
+    thickest_m: float = 0.6
+    """The other face of the wall is not farther."""
 
 
 @dataclass(frozen=True)

@@ -135,7 +135,7 @@ def _walls(
 ) -> list:
     """Return the walls behind the faces that bound rooms, and behind those that stand outside."""
     faces, _ = division.faces(settings.cut)
-    free = free_faces(sheets, division.rooms(), along, footprint, settings.free_faces, settings.levels)
+    free = free_faces(sheets, division.rooms(), faces, along, footprint, settings.free_faces, settings.levels)
     solid = division.solid()
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))

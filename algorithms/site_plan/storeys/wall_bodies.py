@@ -1,16 +1,19 @@
 """Walls: what stands behind the faces that bound the rooms."""
 
 import numpy as np
-from shapely.geometry import LineString, Polygon
-from shapely.ops import linemerge, unary_union
+from shapely.geometry import MultiPoint, Polygon
+from shapely.ops import unary_union
 
 from .settings import WallSettings
 
 MITRE = 2
 """Join style of buffers that keep corners."""
 
-SQUARE = 2
-"""Cap style of buffers that end square at their line's end."""
+SHARP = -0.5
+"""Cosine of the turn beyond which the corner of a strip is cut off."""
+
+CRACK = 0.002
+"""Cracks up to twice so wide are closed, metres."""
 
 
 def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings()) -> list:
@@ -28,20 +31,35 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     -------
     list of Polygon
     """
-    strips = behind(faces, settings.strip_m, solid)
     half = settings.thickest_m / 2
-    deep = solid.buffer(-half, join_style=MITRE).buffer(half + 1e-3, join_style=MITRE)
-    thin = solid.difference(deep)
-    backed = behind(faces, settings.thickest_m, thin)
-    body = unary_union([strips, backed]).buffer(0.002, join_style=MITRE).buffer(-0.002, join_style=MITRE)
+    deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
+    strips = behind(faces, settings.strip_m).intersection(solid)
+    backed = behind(faces, settings.thickest_m).intersection(solid.difference(deep))
+    body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
     parts = getattr(body, "geoms", [body])
     return [part for part in parts if part.geom_type == "Polygon" and part.area >= settings.smallest_m2]
 
 
-def behind(faces: np.ndarray, depth: float, within):
-    """Return what lies within a depth behind faces."""
-    runs = linemerge([LineString(face.reshape(2, 2)) for face in faces])
-    runs = getattr(runs, "geoms", [runs])
-    strips = [run.buffer(depth, single_sided=True, join_style=MITRE, mitre_limit=3.0) for run in runs]
-    strips = [strip.buffer(0) for strip in strips]
-    return unary_union(strips).intersection(within)
+def behind(faces: np.ndarray, depth: float):
+    """Return what lies within a depth behind faces, with corners where one face goes on in another."""
+    along = faces[:, 2:] - faces[:, :2]
+    normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+    starts, ends = faces[:, :2], faces[:, 2:]
+    parts = [
+        Polygon([start, end, end + depth * across, start + depth * across])
+        for start, end, across in zip(starts, ends, normal)
+    ]
+    begins = {}
+    for number, start in enumerate(map(tuple, starts.tolist())):
+        begins.setdefault(start, []).append(number)
+    for one, end in enumerate(map(tuple, ends.tolist())):
+        for other in begins.get(end, ()):
+            if along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0:
+                parts.append(_corner(np.array(end), normal[one], normal[other], depth))
+    return unary_union([part for part in parts if part.is_valid and part.area > 0])
+
+
+def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float):
+    """Return the corner between the strips behind two faces."""
+    tip = (one + other) / max(1 + one @ other, 0.1) if one @ other > SHARP else (one + other) / 2
+    return MultiPoint([place, place + depth * one, place + depth * tip, place + depth * other]).convex_hull
