@@ -28,8 +28,8 @@ class Division:
         How much of a cell was seen as room, m2.
     levels : ndarray of float, shape (borders,)
         Mean number of levels of upright surface along a border.
-    tall : ndarray of float, shape (borders,)
-        The same above the heads of people and furniture.
+    above, tall : ndarray of float, shape (borders,)
+        The same above the cut, and above the heads of people and furniture.
     """
 
     arrangement: Arrangement
@@ -37,6 +37,7 @@ class Division:
     is_room: np.ndarray
     seen: np.ndarray
     levels: np.ndarray
+    above: np.ndarray
     tall: np.ndarray
 
     def area(self, cells: np.ndarray):
@@ -64,10 +65,10 @@ class Division:
         return np.where(room_left[:, None], ends[:, [2, 3, 0, 1]], ends), chosen
 
     def has_face(self, settings: CutSettings) -> np.ndarray:
-        """Tell the borders along which upright surface stands."""
+        """Tell the borders along which upright surface stands, and rises above the cut."""
         on_sheet = self.tracks.sheet >= 0
         fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
-        return self.tracks.within | (self.levels >= fewest)
+        return (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
 
 
 def divide(
@@ -83,13 +84,16 @@ def divide(
     seen, unseen = seen_and_unseen(arrangement, footprint)
     tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)
     count = uprights.mean_levels(arrangement.ends)
-    tall = uprights.mean_levels(arrangement.ends, -1 << round(settings.tall_m / levels.level_m))
+    above, tall = (
+        uprights.mean_levels(arrangement.ends, -1 << round(height / levels.level_m))
+        for height in (settings.section_m, settings.tall_m)
+    )
     cost = settings.border_m * arrangement.lengths
     cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / settings.full_levels, 1))
     cost[tracks.beside] *= settings.beside_border
     inner = (arrangement.sides >= 0).all(axis=1)
     is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
-    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, tall)
+    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall)
     return _filled(division, settings)
 
 

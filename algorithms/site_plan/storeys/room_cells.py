@@ -123,8 +123,8 @@ def cut_at_openings(
     """Cut what is room along the lines of sheets under lintels and over sills."""
     sides, is_room = division.arrangement.sides, division.is_room
     inside = is_room[sides].all(axis=1)
-    chords, over_sill = _chords(division, inside, uprights, settings, levels)
-    linked = inside & ~chords
+    chords, over_sill, shut = _chords(division, inside, uprights, settings, levels)
+    linked = _cut_at_shut_doors(division, inside & ~chords, shut, settings)
     part = label_linked(*sides[linked].T, len(is_room))
     beside_sill = np.unique(part[sides[over_sill]])
     numbers = np.unique(part[is_room])
@@ -135,31 +135,58 @@ def cut_at_openings(
 def _chords(
     division: Division, inside: np.ndarray, uprights: UprightsAlong, settings: RoomSettings, levels: LevelSettings
 ) -> tuple:
-    """Tell the borders within rooms that lie in openings, and those of them that lie over a parapet."""
+    """Tell the borders within rooms that lie in openings, those of them that lie over a parapet, and shut ones.
+
+    Returns
+    -------
+    chords, over_sill : ndarray of bool, shape (borders,)
+    shut : list of ndarray of int
+        The borders of each opening that something fills, a leaf or a curtain or a piece of furniture.
+    """
     ends, tracks = division.arrangement.ends, division.tracks
     candidate = np.flatnonzero(inside & (tracks.sheet >= 0))
     chords, over_sill = np.zeros(len(ends), bool), np.zeros(len(ends), bool)
     if not len(candidate):
-        return chords, over_sill
+        return chords, over_sill, []
     head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
     above = uprights.mean_levels(ends[candidate], -1 << head)
     eye = uprights.mean_levels(ends[candidate], (1 << high) - (1 << low))
     below = uprights.mean_levels(ends[candidate], (1 << low) - 2)
     length = division.arrangement.lengths[candidate]
-    rim = _nodes(ends[division.are_borders()])
+    rim, shut = _nodes(ends[division.are_borders()]), []
     for run in _runs(ends[candidate], rim):
         first, last = _tips(ends[candidate[run]])
         if first not in rim or last not in rim:
             continue
         wide = length[run].sum()
-        surface = [np.average(kind[run], weights=length[run]) for kind in (above, eye, below)]
-        if surface[1] > settings.open_share * (high - low):
+        lintel, face, parapet = (np.average(kind[run], weights=length[run]) for kind in (above, eye, below))
+        if face > settings.open_share * (high - low):
+            full = face + parapet >= settings.closed_share * (high - 1)
+            if full and lintel >= settings.lintel_levels and wide <= settings.widest_leaf_m:
+                shut.append(candidate[run])
             continue
-        lintel = wide <= settings.widest_opening_m and surface[0] >= settings.lintel_levels
-        parapet = wide <= settings.widest_window_m and surface[2] >= settings.parapet_levels
+        lintel = wide <= settings.widest_opening_m and lintel >= settings.lintel_levels
+        parapet = wide <= settings.widest_window_m and parapet >= settings.parapet_levels
         chords[candidate[run]] = lintel or parapet
         over_sill[candidate[run]] = parapet
-    return chords, over_sill
+    return chords, over_sill, shut
+
+
+def _cut_at_shut_doors(division: Division, linked: np.ndarray, shut: list, settings: RoomSettings) -> np.ndarray:
+    """Return which borders link cells, less the shut openings between two rooms: the others are furniture."""
+    sides, is_room = division.arrangement.sides, division.is_room
+    for own in sorted(shut, key=len):
+        linked = linked.copy()
+        before = linked[own].copy()
+        if not before.any():
+            continue
+        linked[own] = False
+        part = label_linked(*sides[linked].T, len(is_room))
+        one, other = (part[side] for side in sides[own[before]][0])
+        outlines = [division.area(np.flatnonzero((part == number) & is_room)) for number in (one, other)]
+        if one == other or not are_rooms(outlines, settings).all():
+            linked[own] = before
+    return linked
 
 
 def _nodes(ends: np.ndarray) -> set:

@@ -17,6 +17,8 @@ class VoxelSettings:
     """A surface is then six times as wide as it is thick."""
     widest_normal_radius_m: float = 0.12
     """Wider, the two faces of a thin partition become one."""
+    lonely_share: float = 0.05
+    """If more points than this have too few neighbours, these are looked for twice as far."""
     flatness: float = 0.3
     """Standard deviation across a surface over its radius; a ball has 0.45, a flat disc 0."""
 
@@ -75,6 +77,8 @@ class SheetSettings:
     """Half width of the band that belongs to a sheet, on a perfect face ..."""
     band_noises: float = 2.5
     """... and so many standard deviations of the points more."""
+    band_spacings: float = 0.2
+    """Sparse points cannot show a face any better."""
     widest_band_m: float = 0.03
     """Half of the thinnest partition, so that its faces stay apart."""
     gap_m: float = 0.25
@@ -122,6 +126,10 @@ class CutSettings:
     """Distance of the stations along a border at which the surface is looked up."""
     corner_m: float = 0.08
     """So far along a border from each station: in corners the normals are askew."""
+    section_m: float = 1.1
+    """Height over the floor that the plan is cut at."""
+    cut_levels: float = 1.0
+    """A wall has surface on so many levels above the cut: a balustrade has none."""
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
@@ -147,9 +155,15 @@ class RoomSettings:
     lintel_levels: float = 2.0
     """Fewest levels of surface above an opening ..."""
     parapet_levels: float = 5.0
-    """... or below it."""
-    open_share: float = 0.35
-    """Largest share of the levels at eye height that hold surface in an opening."""
+    """... or below it ..."""
+    parapet_share: float = 0.7
+    """... which also is this share of the levels up to the sill."""
+    open_share: float = 0.5
+    """Largest share of the levels at eye height that hold surface in an opening ..."""
+    closed_share: float = 0.75
+    """... unless it is shut: then at least this share of the levels up to its head hold surface ..."""
+    widest_leaf_m: float = 2.0
+    """... and it is no wider."""
     neck_m: float = 1.0
     """A narrow place up to this width is a door without a lintel ..."""
     narrowing: float = 0.8

@@ -71,7 +71,8 @@ def find_sheets(uprights: Uprights, noise: float, spacing: float, settings: Shee
     -------
     list of Sheet
     """
-    band = min(settings.band_m + settings.band_noises * noise, settings.widest_band_m)
+    band = max(settings.band_m + settings.band_noises * noise, settings.band_spacings * spacing)
+    band = min(band, settings.widest_band_m)
     gap = max(settings.gap_m, settings.gap_spacings * spacing)
     growth = _Growth(uprights, band, gap, np.cos(np.radians(settings.turn_deg)))
     step = max(2 * uprights.frame.pixel_m, spacing)

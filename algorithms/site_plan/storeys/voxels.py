@@ -69,6 +69,11 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
         normal, thickness = _normals(xyz, radius)
         noise = _noise(normal, thickness)
     surface = thickness <= settings.flatness * radius
+    lonely = np.isinf(thickness)
+    if lonely.mean() > settings.lonely_share:
+        more, thickness = _normals(xyz, 2 * radius)
+        normal[lonely] = more[lonely]
+        surface[lonely] = thickness[lonely] <= settings.flatness * radius
     normal[~surface] = 0.0
     return Voxels(xyz, normal.astype(np.float32), settings.edge_m, spacing, noise)
 

@@ -9,6 +9,9 @@ from .settings import WallSettings
 MITRE = 2
 """Join style of buffers that keep corners."""
 
+SECTORS = 8
+"""Directions of faces are sorted into so many."""
+
 SHARP = -0.5
 """Cosine of the turn beyond which the corner of a strip is cut off."""
 
@@ -34,10 +37,27 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     half = settings.thickest_m / 2
     deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
     strips = behind(faces, settings.strip_m).intersection(solid)
-    backed = behind(faces, settings.thickest_m).intersection(solid.difference(deep))
+    backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
     parts = getattr(body, "geoms", [body])
     return [part for part in parts if part.geom_type == "Polygon" and part.area >= settings.smallest_m2]
+
+
+def between(faces: np.ndarray, thickest: float):
+    """Return what lies behind two faces that turn their solid sides to each other."""
+    along = faces[:, 2:] - faces[:, :2]
+    sector = (np.arctan2(along[:, 1], along[:, 0]) // (2 * np.pi / SECTORS)).astype(int) % SECTORS
+    # The other face ends where a third wall meets this one, but goes on behind it.
+    way = thickest * along / np.hypot(*along.T)[:, None]
+    longer = faces + np.hstack([-way, way])
+    parts = []
+    for number in np.unique(sector):
+        turned = (sector - number - SECTORS // 2) % SECTORS
+        opposite = (turned <= 1) | (turned == SECTORS - 1)
+        if opposite.any():
+            own = behind(faces[sector == number], thickest)
+            parts.append(own.intersection(behind(longer[opposite], thickest)))
+    return unary_union(parts)
 
 
 def behind(faces: np.ndarray, depth: float):
