@@ -30,6 +30,8 @@ class Division:
         Mean number of levels of upright surface along a border.
     above, tall : ndarray of float, shape (borders,)
         The same above the cut, and above the heads of people and furniture.
+    bodies : ndarray of float, shape (sheets,)
+        Mean number of levels of each sheet below that.
     """
 
     arrangement: Arrangement
@@ -39,6 +41,7 @@ class Division:
     levels: np.ndarray
     above: np.ndarray
     tall: np.ndarray
+    bodies: np.ndarray
 
     def area(self, cells: np.ndarray):
         """Return the area of cells, given as numbers."""
@@ -68,7 +71,9 @@ class Division:
         """Tell the borders along which upright surface stands, and rises above the cut."""
         on_sheet = self.tracks.sheet >= 0
         fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
-        return (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
+        stands = (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
+        body = np.where(on_sheet, self.bodies[self.tracks.sheet], self.levels - self.tall)
+        return stands & (body >= settings.body_levels)
 
 
 def divide(
@@ -88,12 +93,14 @@ def divide(
         uprights.mean_levels(arrangement.ends, -1 << round(height / levels.level_m))
         for height in (settings.section_m, settings.tall_m)
     )
+    low = (1 << round(settings.tall_m / levels.level_m)) - 1
+    bodies = uprights.mean_levels(np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low)
     cost = settings.border_m * arrangement.lengths
     cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / settings.full_levels, 1))
     cost[tracks.beside] *= settings.beside_border
     inner = (arrangement.sides >= 0).all(axis=1)
     is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
-    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall)
+    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall, bodies)
     return _filled(division, settings)
 
 

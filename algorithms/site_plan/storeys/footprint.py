@@ -60,7 +60,7 @@ def find_footprint(
     weight[ceiling >= around - settings.drop_m] = settings.ceiling_weight
     neutral = _are_upright(uprights, frame, settings.upright_levels)
     closing = min(settings.closed_spacings * voxels.spacing_m, settings.closed_m)
-    weight = _closed(weight, neutral | _drawn(sheets, frame), max(round(closing / frame.pixel_m), 1))
+    weight = _closed(weight, neutral | _drawn(sheets, frame, settings.barrier_m), max(round(closing / frame.pixel_m), 1))
     weight[neutral] = np.nan
     return Footprint(frame, weight, floor, ceiling)
 
@@ -82,12 +82,15 @@ def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:
     return many
 
 
-def _drawn(sheets: list, frame: Frame) -> np.ndarray:
-    """Tell the pixels that sheets lie on."""
+def _drawn(sheets: list, frame: Frame, extension: float) -> np.ndarray:
+    """Tell the pixels that sheets lie on, and would lie on if they were longer."""
     drawn = np.zeros(frame.shape, bool)
     for sheet in sheets:
-        count = int(3 * sheet.length / frame.pixel_m) + 2
-        drawn[frame.places(np.linspace(sheet.start, sheet.stop, count))] = True
+        count = int(3 * (sheet.length + 2 * extension) / frame.pixel_m) + 2
+        beyond = extension * sheet.direction
+        row, column = frame.places(np.linspace(sheet.start - beyond, sheet.stop + beyond, count))
+        inside = (row >= 0) & (row < frame.shape[0]) & (column >= 0) & (column < frame.shape[1])
+        drawn[row[inside], column[inside]] = True
     return drawn
 
 

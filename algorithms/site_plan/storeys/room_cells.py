@@ -161,12 +161,11 @@ def _chords(
         wide = length[run].sum()
         lintel, face, parapet = (np.average(kind[run], weights=length[run]) for kind in (above, eye, below))
         if face > settings.open_share * (high - low):
-            full = face + parapet >= settings.closed_share * (high - 1)
-            if full and lintel >= settings.lintel_levels and wide <= settings.widest_leaf_m:
+            if lintel >= settings.lintel_levels and wide <= settings.widest_leaf_m:
                 shut.append(candidate[run])
             continue
+        parapet = wide <= settings.widest_window_m and min(parapet / settings.parapet_levels, lintel) >= 1
         lintel = wide <= settings.widest_opening_m and lintel >= settings.lintel_levels
-        parapet = wide <= settings.widest_window_m and parapet >= settings.parapet_levels
         chords[candidate[run]] = lintel or parapet
         over_sill[candidate[run]] = parapet
     return chords, over_sill, shut

@@ -65,6 +65,8 @@ class FootprintSettings:
     """Gaps between points are closed by so many spacings on each side, but not across sheets ..."""
     closed_m: float = 0.16
     """... and not farther than this."""
+    barrier_m: float = 0.5
+    """Nor across the lines of sheets so far beyond their ends, where walls are hidden."""
     touching_m: float = 0.08
     """A point without a normal belongs to the floor or the ceiling if it is so near."""
 
@@ -130,6 +132,8 @@ class CutSettings:
     """Height over the floor that the plan is cut at."""
     cut_levels: float = 1.0
     """A wall has surface on so many levels above the cut: a balustrade has none."""
+    body_levels: float = 2.0
+    """The sheet of a wall has surface on so many levels below `tall_m`: a beam has none."""
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
@@ -155,15 +159,11 @@ class RoomSettings:
     lintel_levels: float = 2.0
     """Fewest levels of surface above an opening ..."""
     parapet_levels: float = 5.0
-    """... or below it ..."""
-    parapet_share: float = 0.7
-    """... which also is this share of the levels up to the sill."""
+    """... or below it, if there is also one above."""
     open_share: float = 0.5
-    """Largest share of the levels at eye height that hold surface in an opening ..."""
-    closed_share: float = 0.75
-    """... unless it is shut: then at least this share of the levels up to its head hold surface ..."""
+    """Largest share of the levels at eye height that hold surface in an opening; with more it is shut ..."""
     widest_leaf_m: float = 2.0
-    """... and it is no wider."""
+    """... and then no wider than this."""
     neck_m: float = 1.0
     """A narrow place up to this width is a door without a lintel ..."""
     narrowing: float = 0.8
