@@ -1,0 +1,1 @@
+"""Plans of storeys: faces and seen floor first."""

@@ -1,0 +1,120 @@
+"""The division of a storey into rooms and solid."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+
+from .linking import label_linked
+from .arrangement import Arrangement, Tracks, arrange, find_tracks, footprint_lines, seen_and_unseen, sheet_lines
+from .evidence import UprightsAlong
+from .footprint import Footprint
+from .minimum_cut import minimum_cut
+from .settings import CutSettings, LevelSettings
+
+
+@dataclass(frozen=True)
+class Division:
+    """Cells that are room or solid.
+
+    Attributes
+    ----------
+    arrangement : Arrangement
+    tracks : Tracks
+    is_room : ndarray of bool, shape (cells + 1,)
+        The last is what lies outside the frame.
+    seen : ndarray of float, shape (cells,)
+        How much of a cell was seen as room, m2.
+    levels : ndarray of float, shape (borders,)
+        Mean number of levels of upright surface along a border.
+    above, tall : ndarray of float, shape (borders,)
+        The same above the cut, and above the heads of people and furniture.
+    bodies : ndarray of float, shape (sheets,)
+        Mean number of levels of each sheet below that.
+    """
+
+    arrangement: Arrangement
+    tracks: Tracks
+    is_room: np.ndarray
+    seen: np.ndarray
+    levels: np.ndarray
+    above: np.ndarray
+    tall: np.ndarray
+    bodies: np.ndarray
+
+    def area(self, cells: np.ndarray):
+        """Return the area of cells, given as numbers."""
+        return unary_union([self.arrangement.cells[cell] for cell in cells])
+
+    def rooms(self):
+        """Return all rooms together."""
+        return self.area(np.flatnonzero(self.is_room[:-1]))
+
+    def solid(self):
+        """Return all that is not room."""
+        return self.area(np.flatnonzero(~self.is_room[:-1]))
+
+    def are_borders(self) -> np.ndarray:
+        """Tell the borders between room and solid."""
+        left, right = self.is_room[self.arrangement.sides].T
+        return left != right
+
+    def faces(self, settings: CutSettings) -> tuple:
+        """Return the borders that are faces of walls, the solid to the left, and their numbers."""
+        chosen = np.flatnonzero(self.are_borders() & self.has_face(settings))
+        ends = self.arrangement.ends[chosen]
+        room_left = self.is_room[self.arrangement.sides[chosen, 0]]
+        return np.where(room_left[:, None], ends[:, [2, 3, 0, 1]], ends), chosen
+
+    def has_face(self, settings: CutSettings) -> np.ndarray:
+        """Tell the borders along which upright surface stands, and rises above the cut."""
+        on_sheet = self.tracks.sheet >= 0
+        fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
+        stands = (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
+        body = np.where(on_sheet, self.bodies[self.tracks.sheet], self.levels - self.tall)
+        return stands & (body >= settings.body_levels)
+
+
+def divide(
+    sheets: list,
+    footprint: Footprint,
+    uprights: UprightsAlong,
+    settings: CutSettings = CutSettings(),
+    levels: LevelSettings = LevelSettings(),
+) -> Division:
+    """Divide a storey into rooms and solid by the cheapest cut."""
+    lines = sheet_lines(sheets, settings.extension_m) + footprint_lines(footprint, settings)
+    arrangement = arrange(lines, footprint.frame)
+    seen, unseen = seen_and_unseen(arrangement, footprint)
+    tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)
+    count = uprights.mean_levels(arrangement.ends)
+    above, tall = (
+        uprights.mean_levels(arrangement.ends, -1 << round(height / levels.level_m))
+        for height in (settings.section_m, settings.tall_m)
+    )
+    low = (1 << round(settings.tall_m / levels.level_m)) - 1
+    bodies = uprights.mean_levels(np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low)
+    cost = settings.border_m * arrangement.lengths
+    cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / settings.full_levels, 1))
+    cost[tracks.beside] *= settings.beside_border
+    inner = (arrangement.sides >= 0).all(axis=1)
+    is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
+    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall, bodies)
+    return _filled(division, settings)
+
+
+def _filled(division: Division, settings: CutSettings) -> Division:
+    """Make room of enclosed solids that few tall faces surround."""
+    sides, count = division.arrangement.sides, len(division.is_room)
+    solid = ~division.is_room
+    linked = solid[sides].all(axis=1)
+    part = label_linked(*sides[linked].T % count, count)
+    rim = division.are_borders()
+    owner = part[np.where(solid[sides[rim, 0]], sides[rim, 0], sides[rim, 1])]
+    length = division.arrangement.lengths[rim]
+    tall = (division.tall[rim] >= settings.tall_levels) & division.has_face(settings)[rim]
+    share = np.bincount(owner, length * tall, count) / np.maximum(np.bincount(owner, length, count), 1e-9)
+    shadow = share < settings.shadow_share
+    shadow[part[-1]] = False
+    return replace(division, is_room=division.is_room | (solid & shadow[part]))

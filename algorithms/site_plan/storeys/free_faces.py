@@ -1,0 +1,110 @@
+"""Faces that bound no room: facades, and walls beyond what was seen of floor and ceiling."""
+
+import numpy as np
+from shapely.geometry import LineString, Polygon
+from shapely.ops import unary_union
+
+from .evidence import UprightsAlong
+from .footprint import Footprint
+from .levels import count_levels
+from .settings import FreeFaceSettings, LevelSettings
+
+
+PARALLEL = 0.98
+"""Cosine of the largest angle between the two faces of a wall."""
+
+
+def free_faces(
+    sheets: list,
+    rooms,
+    faces: np.ndarray,
+    uprights: UprightsAlong,
+    footprint: Footprint,
+    settings: FreeFaceSettings = FreeFaceSettings(),
+    levels: LevelSettings = LevelSettings(),
+) -> np.ndarray:
+    """Return the full parts of sheets outside of all rooms.
+
+    Parameters
+    ----------
+    sheets : list of Sheet
+    rooms : Polygon or MultiPolygon
+    faces : ndarray of float64, shape (n, 4)
+        Faces that bound rooms; the solid lies to the left.
+    uprights : UprightsAlong
+    footprint : Footprint
+    settings, levels : FreeFaceSettings, LevelSettings
+
+    Returns
+    -------
+    ndarray of float64, shape (n, 4)
+        x, y of both ends; the solid lies to the left: towards the other face of the wall, or where less was seen.
+    """
+    within = rooms.buffer(settings.apart_m)
+    low, high = round(settings.from_m / levels.level_m), round(settings.to_m / levels.level_m)
+    mask = ((1 << high) - 1) ^ ((1 << low) - 1)
+    fewest = settings.filled * (high - low)
+    found = []
+    for sheet in sheets:
+        outside = LineString([sheet.start, sheet.stop]).difference(within)
+        for part in getattr(outside, "geoms", [outside]):
+            if part.length >= settings.run_m:
+                found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
+    return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
+
+
+def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float) -> list:
+    """Return the parts of a line on which enough levels are filled; each x, y, x, y."""
+    bits, _ = uprights.stations(np.r_[ends[0], ends[-1]][None])
+    full = count_levels(bits & np.uint64(mask)) >= fewest
+    edges = np.flatnonzero(np.diff(np.r_[False, full, False].astype(int)))
+    share = edges.reshape(-1, 2) / len(full)
+    length = np.hypot(*(ends[-1] - ends[0]))
+    places = ends[0] + share[..., None] * (ends[-1] - ends[0])
+    return [place.ravel() for place, (low, high) in zip(places, share) if (high - low) * length >= shortest]
+
+
+def _turned(run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings) -> np.ndarray:
+    """Turn a face so that the solid lies to the left."""
+    start, stop = run[:2], run[2:]
+    along = (stop - start) / np.hypot(*(stop - start))
+    left = np.array([-along[1], along[0]])
+    opposite = _opposite(run, faces, along, settings.thickest_m)
+    if opposite:
+        return run if opposite > 0 else run[[2, 3, 0, 1]]
+    places = np.linspace(start, stop, 10)
+    depths = np.linspace(0.2 * settings.front_m, settings.front_m, 6)
+    sides = [
+        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths])) for sign in (1, -1)
+    ]
+    return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
+
+
+def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
+    """Return how far faces of rooms turn their solid side to this one: positive from the left, negative from the right."""
+    way = faces[:, 2:] - faces[:, :2]
+    length = np.maximum(np.hypot(*way.T), 1e-9)
+    cosine = way @ along / length
+    ends = np.stack([faces[:, :2], faces[:, 2:]], axis=1) - run[:2]
+    place, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
+    overlap = np.minimum(place[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(place[:, 0], 0)
+    # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
+    facing = (np.abs(cosine) > PARALLEL) & (overlap > 0) & (np.abs(across) < thickest) & (cosine * across < 0)
+    return float((np.sign(across) * overlap)[facing].sum())
+
+
+def _seen(footprint: Footprint, places: np.ndarray) -> float:
+    row, column = footprint.frame.places(places)
+    rows, columns = footprint.weight.shape
+    inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
+    return float(np.nansum(footprint.weight[row[inside], column[inside]]))
+
+
+def clear_before(faces: np.ndarray, depth: float):
+    """Return the area right before faces, which is no wall."""
+    boxes = []
+    for x0, y0, x1, y1 in faces:
+        length = np.hypot(x1 - x0, y1 - y0)
+        x, y = depth * (y1 - y0) / length, -depth * (x1 - x0) / length
+        boxes.append(Polygon([(x0, y0), (x1, y1), (x1 + x, y1 + y), (x0 + x, y0 + y)]))
+    return unary_union(boxes)

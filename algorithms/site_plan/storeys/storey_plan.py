@@ -1,0 +1,163 @@
+"""The plan of a storey: faces and seen floor first."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from shapely.geometry import LineString, Polygon
+from shapely.ops import linemerge, unary_union
+
+from ...progress import Progress
+from .division import Division, divide
+from .evidence import UprightsAlong
+from .footprint import Footprint, find_footprint
+from .free_faces import clear_before, free_faces
+from .levels import Storey, find_storey, find_uprights, frame_around
+from .room_cells import Room, find_rooms
+from .settings import StoreySettings
+from .sheets import Sheet, find_sheets, share_lines
+from .voxels import make_voxels
+from .wall_bodies import wall_bodies
+from .walls import Wall, describe_walls
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A surface that is not a wall.
+
+    Attributes
+    ----------
+    line : LineString
+        Metres.
+    reason : str
+    """
+
+    line: LineString
+    reason: str
+
+
+@dataclass(frozen=True)
+class StoreyPlan:
+    """The plan of a storey; lengths in metres, relative to the local origin of the points.
+
+    Attributes
+    ----------
+    walls : tuple of Wall
+    rooms : tuple of Room
+    limits : tuple of LineString
+        Borders of rooms without a face: where the scan ends.
+    left_out : tuple of LeftOut
+    sheets : tuple of Sheet
+        All straight upright surfaces.
+    region : Polygon or MultiPolygon
+        Where this plan decides: rooms and their walls, and a margin.
+    storey : Storey or None
+        Heights of floor and ceiling; None if neither was seen, then all is empty.
+    spacing_m, noise_m : float
+        Measured on the points.
+    """
+
+    walls: tuple
+    rooms: tuple
+    limits: tuple
+    left_out: tuple
+    sheets: tuple
+    region: Polygon
+    storey: Optional[Storey]
+    spacing_m: float
+    noise_m: float
+
+
+def make_storey_plan(
+    chunks: Iterable, settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
+) -> StoreyPlan:
+    """Make the plan of a storey from its points.
+
+    Parameters
+    ----------
+    chunks : iterable of ndarray of float64, shape (n, 3)
+        Points of one storey, metres, relative to a local origin; any division into chunks.
+    settings : StoreySettings
+    progress : Progress
+        Reports and cancels.
+    """
+    progress.update(0.0, "Reducing points to voxels")
+    voxels = make_voxels(chunks, settings.voxels)
+    storey = find_storey(voxels, settings.levels)
+    if storey is None:
+        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+    progress.update(0.4, "Finding faces")
+    uprights = find_uprights(
+        voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
+    )
+    sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
+    sheets = share_lines(sheets, settings.sheets)
+    progress.update(0.6, "Finding floor and ceiling")
+    frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
+    footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
+    progress.update(0.7, "Dividing rooms from solid")
+    cut = settings.cut
+    along = UprightsAlong(
+        uprights,
+        cut.beside_m,
+        max(cut.station_m, voxels.spacing_m),
+        max(cut.corner_m, voxels.spacing_m),
+        settings.sheets.turn_deg,
+    )
+    division = divide(sheets, footprint, along, cut, settings.levels)
+    progress.update(0.8, "Finding rooms and walls")
+    rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
+    walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
+    inside = division.rooms()
+    region = unary_union([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
+    return StoreyPlan(
+        tuple(walls),
+        tuple(rooms),
+        tuple(_limits(division, settings)),
+        tuple(_left_out(division, sheets, settings)),
+        tuple(sheets),
+        region,
+        storey,
+        voxels.spacing_m,
+        voxels.noise_m,
+    )
+
+
+def _walls(
+    division: Division,
+    sheets: list,
+    parapets: list,
+    footprint: Footprint,
+    along: UprightsAlong,
+    storey: Storey,
+    settings: StoreySettings,
+) -> list:
+    """Return the walls behind the faces that bound rooms, and behind those that stand outside."""
+    faces, _ = division.faces(settings.cut)
+    free = free_faces(sheets, division.rooms(), faces, along, footprint, settings.free_faces, settings.levels)
+    solid = division.solid()
+    if len(free):
+        solid = solid.difference(clear_before(free, settings.free_faces.front_m))
+    bodies = wall_bodies(np.vstack([faces, free]), solid, settings.walls)
+    return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
+
+
+def _limits(division: Division, settings: StoreySettings) -> list:
+    """Return the borders of rooms without a face."""
+    arrangement = division.arrangement
+    bare = division.are_borders() & ~division.has_face(settings.cut)
+    merged = linemerge([LineString(end.reshape(2, 2)) for end in arrangement.ends[bare]])
+    return [line for line in getattr(merged, "geoms", [merged]) if line.length >= settings.shortest_limit_m]
+
+
+def _left_out(division: Division, sheets: list, settings: StoreySettings) -> list:
+    """Return the sheets that stand free in rooms."""
+    inside = division.rooms().buffer(-settings.free_faces.apart_m)
+    found = []
+    for sheet in sheets:
+        part = LineString([sheet.start, sheet.stop]).intersection(inside)
+        for line in getattr(part, "geoms", [part]):
+            if line.geom_type == "LineString" and line.length >= settings.free_faces.run_m:
+                found.append(LeftOut(line, "stands free in a room: furniture, a curtain or a door leaf"))
+    return found

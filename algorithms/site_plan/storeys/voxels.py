@@ -1,0 +1,210 @@
+"""Voxels of a cloud: one mean point each, with the normal of the surface around it."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from scipy.spatial import cKDTree
+
+from .settings import VoxelSettings
+
+HALF_RANGE = 1 << 20
+"""Voxels on each side of the local origin that a key can hold: 20 km at 2 cm."""
+
+BITS = 21
+
+NEIGHBOURS = 6
+"""The distance to this neighbour is about 1.4 times the spacing of a square pattern on a surface."""
+
+SAMPLE = 4000
+"""Number of voxels that the spacing and the noise are measured on."""
+
+
+@dataclass(frozen=True)
+class Voxels:
+    """Occupied voxels of a cloud.
+
+    Attributes
+    ----------
+    xyz : ndarray of float64, shape (n, 3)
+        Mean of the points inside, metres, relative to the local origin.
+    normal : ndarray of float32, shape (n, 3)
+        Unit normal of the surface, its sign is arbitrary; zero where there is no surface.
+    edge_m : float
+        Edge of a voxel, metres.
+    spacing_m : float
+        Usual distance between neighbouring points, not less than the voxel's edge.
+    noise_m : float
+        Usual standard deviation of the points across upright surfaces.
+    """
+
+    xyz: np.ndarray
+    normal: np.ndarray
+    edge_m: float
+    spacing_m: float
+    noise_m: float
+
+
+def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> Voxels:
+    """Reduce points to voxels and find the normals.
+
+    Parameters
+    ----------
+    chunks : iterable of ndarray of float64, shape (n, 3)
+        Points, metres, relative to a local origin.
+    settings : VoxelSettings
+    """
+    xyz = _means(chunks, settings.edge_m)
+    if len(xyz) < NEIGHBOURS + 1:
+        return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
+    spacing = max(_spacing(xyz), settings.edge_m)
+    widest = settings.widest_normal_radius_m
+    radius = min(max(settings.normal_radius_m, settings.normal_radius_spacings * spacing), widest)
+    normal, thickness = _normals(xyz, radius)
+    noise = _noise(normal, thickness)
+    wider = min(settings.normal_radius_noises * noise, widest)
+    if wider > 1.2 * radius:
+        radius = wider
+        normal, thickness = _normals(xyz, radius)
+        noise = _noise(normal, thickness)
+    surface = thickness <= settings.flatness * radius
+    lonely = np.isinf(thickness)
+    if lonely.mean() > settings.lonely_share:
+        more, thickness = _normals(xyz, 2 * radius)
+        normal[lonely] = more[lonely]
+        surface[lonely] = thickness[lonely] <= settings.flatness * radius
+    normal[~surface] = 0.0
+    return Voxels(xyz, normal.astype(np.float32), settings.edge_m, spacing, noise)
+
+
+def _means(chunks: Iterable, edge: float) -> np.ndarray:
+    """Return the mean of the points in each voxel, shape (n, 3)."""
+    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4))
+    waiting = []
+    for chunk in chunks:
+        if len(chunk):
+            weighted = np.column_stack([chunk, np.ones(len(chunk))])
+            waiting.append(_reduced(_keys(chunk, edge), weighted))
+    if waiting:
+        keys, sums = (np.concatenate(part) for part in zip(*waiting))
+        keys, sums = _reduced(keys, sums)
+    return sums[:, :3] / sums[:, 3:]
+
+
+def _keys(xyz: np.ndarray, edge: float) -> np.ndarray:
+    """Return one number a voxel; neighbours in z have neighbouring numbers."""
+    index = np.floor(xyz / edge).astype(np.int64) + HALF_RANGE
+    return (index[:, 0] << 2 * BITS) | (index[:, 1] << BITS) | index[:, 2]
+
+
+def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
+    """Add up the values, shape (n, k), of equal keys."""
+    order = np.argsort(keys, kind="stable")
+    keys = keys[order]
+    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]])
+    return keys[first], np.add.reduceat(values[order], first, axis=0)
+
+
+def _spacing(xyz: np.ndarray) -> float:
+    sample = xyz[:: max(len(xyz) // SAMPLE, 1)]
+    distance = cKDTree(xyz).query(sample, NEIGHBOURS + 1)[0][:, -1]
+    return float(np.median(distance)) / np.sqrt(2.0)
+
+
+def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
+    """Return the median thickness of upright surfaces, metres."""
+    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < 0.2)
+    return float(np.median(thickness[upright])) if upright.any() else 0.0
+
+
+def _normals(xyz: np.ndarray, radius: float) -> tuple:
+    """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
+    buckets = _keys(xyz, radius)
+    order = np.argsort(buckets, kind="stable")
+    normal, thickness = _fit_planes(xyz[order], buckets[order], radius)
+    back = np.empty_like(order)
+    back[order] = np.arange(len(order))
+    return normal[back], thickness[back]
+
+
+@njit(nogil=True, cache=True)
+def _fit_planes(xyz, buckets, radius):
+    """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
+    count = len(xyz)
+    normal = np.zeros((count, 3))
+    thickness = np.full(count, np.inf)
+    one = np.int64(1)
+    reach = radius * radius
+    starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
+    last = np.int64(-1)
+    for i in range(count):
+        if buckets[i] != last:
+            last = buckets[i]
+            k = 0
+            for dx in range(-1, 2):
+                for dy in range(-1, 2):
+                    middle = last + (dx * (one << 42)) + (dy * (one << 21))
+                    starts[k] = np.searchsorted(buckets, middle - 1)
+                    ends[k] = np.searchsorted(buckets, middle + 2)
+                    k += 1
+        n = 0
+        sx = sy = sz = sxx = sxy = sxz = syy = syz = szz = 0.0
+        for k in range(9):
+            for j in range(starts[k], ends[k]):
+                x, y, z = xyz[j, 0] - xyz[i, 0], xyz[j, 1] - xyz[i, 1], xyz[j, 2] - xyz[i, 2]
+                if x * x + y * y + z * z <= reach:
+                    n += 1
+                    sx += x
+                    sy += y
+                    sz += z
+                    sxx += x * x
+                    sxy += x * y
+                    sxz += x * z
+                    syy += y * y
+                    syz += y * z
+                    szz += z * z
+        if n < 5:
+            continue
+        sx, sy, sz = sx / n, sy / n, sz / n
+        smallest = _thinnest(
+            sxx / n - sx * sx,
+            sxy / n - sx * sy,
+            sxz / n - sx * sz,
+            syy / n - sy * sy,
+            syz / n - sy * sz,
+            szz / n - sz * sz,
+            normal[i],
+        )
+        thickness[i] = np.sqrt(max(smallest, 0.0))
+    return normal, thickness
+
+
+@njit(nogil=True, cache=True)
+def _thinnest(a, b, c, d, e, f, direction):
+    """Return the smallest eigenvalue of the symmetric matrix (a b c, b d e, c e f); its vector goes to `direction`."""
+    mean = (a + d + f) / 3.0
+    p1 = b * b + c * c + e * e
+    p = np.sqrt(((a - mean) ** 2 + (d - mean) ** 2 + (f - mean) ** 2 + 2.0 * p1) / 6.0)
+    if p < 1e-12:
+        return mean
+    u, v, w = (a - mean) / p, (d - mean) / p, (f - mean) / p
+    x, y, z = b / p, c / p, e / p
+    half = (u * (v * w - z * z) - x * (x * w - z * y) + y * (x * z - v * y)) / 2.0
+    angle = np.arccos(min(1.0, max(-1.0, half))) / 3.0
+    smallest = mean + 2.0 * p * np.cos(angle + 2.0 * np.pi / 3.0)
+    a, d, f = a - smallest, d - smallest, f - smallest
+    best = 0.0
+    for k in range(3):
+        if k == 0:
+            x, y, z = b * e - c * d, c * b - a * e, a * d - b * b
+        elif k == 1:
+            x, y, z = b * f - c * e, c * c - a * f, a * e - b * c
+        else:
+            x, y, z = d * f - e * e, e * c - b * f, b * e - d * c
+        length = x * x + y * y + z * z
+        if length > best:
+            best = length
+            root = np.sqrt(length)
+            direction[0], direction[1], direction[2] = x / root, y / root, z / root
+    return smallest

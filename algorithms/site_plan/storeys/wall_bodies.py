@@ -1,0 +1,85 @@
+"""Walls: what stands behind the faces that bound the rooms."""
+
+import numpy as np
+from shapely.geometry import MultiPoint, Polygon
+from shapely.ops import unary_union
+
+from .settings import WallSettings
+
+MITRE = 2
+"""Join style of buffers that keep corners."""
+
+SECTORS = 8
+"""Directions of faces are sorted into so many."""
+
+SHARP = -0.5
+"""Cosine of the turn beyond which the corner of a strip is cut off."""
+
+CRACK = 0.002
+"""Cracks up to twice so wide are closed, metres."""
+
+
+def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings()) -> list:
+    """Return the walls behind faces, not cut into pieces.
+
+    Parameters
+    ----------
+    faces : ndarray of float64, shape (n, 4)
+        x, y of both ends; the solid lies to the left.
+    solid : Polygon or MultiPolygon
+        All that is not room.
+    settings : WallSettings
+
+    Returns
+    -------
+    list of Polygon
+    """
+    half = settings.thickest_m / 2
+    deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
+    strips = behind(faces, settings.strip_m).intersection(solid)
+    backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
+    body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
+    parts = getattr(body, "geoms", [body])
+    return [part for part in parts if part.geom_type == "Polygon" and part.area >= settings.smallest_m2]
+
+
+def between(faces: np.ndarray, thickest: float):
+    """Return what lies behind two faces that turn their solid sides to each other."""
+    along = faces[:, 2:] - faces[:, :2]
+    sector = (np.arctan2(along[:, 1], along[:, 0]) // (2 * np.pi / SECTORS)).astype(int) % SECTORS
+    # The other face ends where a third wall meets this one, but goes on behind it.
+    way = thickest * along / np.hypot(*along.T)[:, None]
+    longer = faces + np.hstack([-way, way])
+    parts = []
+    for number in np.unique(sector):
+        turned = (sector - number - SECTORS // 2) % SECTORS
+        opposite = (turned <= 1) | (turned == SECTORS - 1)
+        if opposite.any():
+            own = behind(faces[sector == number], thickest)
+            parts.append(own.intersection(behind(longer[opposite], thickest)))
+    return unary_union(parts)
+
+
+def behind(faces: np.ndarray, depth: float):
+    """Return what lies within a depth behind faces, with corners where one face goes on in another."""
+    along = faces[:, 2:] - faces[:, :2]
+    normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+    starts, ends = faces[:, :2], faces[:, 2:]
+    parts = [
+        Polygon([start, end, end + depth * across, start + depth * across])
+        for start, end, across in zip(starts, ends, normal)
+    ]
+    begins = {}
+    for number, start in enumerate(map(tuple, starts.tolist())):
+        begins.setdefault(start, []).append(number)
+    for one, end in enumerate(map(tuple, ends.tolist())):
+        for other in begins.get(end, ()):
+            if along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0:
+                parts.append(_corner(np.array(end), normal[one], normal[other], depth))
+    return unary_union([part for part in parts if part.is_valid and part.area > 0])
+
+
+def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float):
+    """Return the corner between the strips behind two faces."""
+    tip = (one + other) / max(1 + one @ other, 0.1) if one @ other > SHARP else (one + other) / 2
+    return MultiPoint([place, place + depth * one, place + depth * tip, place + depth * other]).convex_hull

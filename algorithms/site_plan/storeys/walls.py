@@ -1,0 +1,130 @@
+"""What is known of each wall: its kind, thickness and heights, and how much of it was seen."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from shapely.geometry import Polygon
+
+from .evidence import UprightsAlong
+from .levels import Storey, count_levels
+from .settings import CutSettings, LevelSettings, WallSettings
+from .wall_pieces import cut_at_junctions
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A wall between junctions and openings.
+
+    Attributes
+    ----------
+    outline : Polygon
+        Metres; shares its edges with its neighbours exactly.
+    kind : str
+        "wall", "column", or "parapet" with a window above it.
+    body : int
+        Number of the connected body that it is a piece of.
+    thickness : float or None
+        Usual distance of its two faces, metres; None where only one was seen.
+    z_base, z_top : float or None
+        Heights of the lowest and the highest surface seen, metres.
+    coverage : float
+        Share of the outline along which surface was seen.
+    """
+
+    outline: Polygon
+    kind: str
+    body: int
+    thickness: Optional[float]
+    z_base: Optional[float]
+    z_top: Optional[float]
+    coverage: float
+
+
+def describe_walls(
+    bodies: list,
+    parapets: list,
+    uprights: UprightsAlong,
+    storey: Storey,
+    settings: WallSettings = WallSettings(),
+    cut: CutSettings = CutSettings(),
+    levels: LevelSettings = LevelSettings(),
+) -> list:
+    """Cut bodies of walls into pieces and measure them.
+
+    Parameters
+    ----------
+    bodies : list of Polygon
+        Not overlapping; free of parapets.
+    parapets : list of Polygon
+    uprights : UprightsAlong
+    storey : Storey
+    settings, cut, levels : WallSettings, CutSettings, LevelSettings
+    """
+    walls = []
+    for number, body in enumerate(bodies, start=1):
+        pieces = cut_at_junctions(body, settings)
+        free = len(pieces) == 1 and body.area <= settings.column_m2
+        for piece in pieces:
+            measured = _measured(piece, number, uprights, storey, settings, cut, levels)
+            kind = "column" if free and measured.coverage > 0.5 and not _is_strip(piece, settings) else "wall"
+            walls.append(Wall(piece, kind, number, *measured.values))
+    for outline in parapets:
+        measured = _measured(outline, 0, uprights, storey, settings, cut, levels)
+        walls.append(Wall(outline, "parapet", 0, *measured.values))
+    return walls
+
+
+@dataclass(frozen=True)
+class _Measured:
+    thickness: Optional[float]
+    z_base: Optional[float]
+    z_top: Optional[float]
+    coverage: float
+
+    @property
+    def values(self) -> tuple:
+        return self.thickness, self.z_base, self.z_top, self.coverage
+
+
+def _is_strip(piece: Polygon, settings: WallSettings) -> bool:
+    return piece.buffer(-0.55 * settings.strip_m).is_empty
+
+
+def _measured(piece, number, uprights, storey, settings, cut, levels) -> _Measured:
+    edges = np.concatenate([_edges(ring) for ring in (piece.exterior, *piece.interiors)])
+    length = np.hypot(edges[:, 2] - edges[:, 0], edges[:, 3] - edges[:, 1])
+    bits, edge = uprights.stations(edges)
+    filled = np.bincount(edge, count_levels(bits), len(edges)) / np.bincount(edge, minlength=len(edges))
+    seen = filled >= cut.fewest_levels
+    together = int(np.bitwise_or.reduce(bits[seen[edge]])) if seen.any() else 0
+    base = top = None
+    if together:
+        base = storey.floor + levels.level_m * ((together & -together).bit_length() - 1)
+        top = storey.floor + levels.level_m * together.bit_length()
+    thickness = _thickness(edges[seen], length[seen], settings)
+    return _Measured(thickness, base, top, float(length[seen].sum() / length.sum()))
+
+
+def _edges(ring) -> np.ndarray:
+    xy = np.asarray(ring.coords)
+    return np.hstack([xy[:-1], xy[1:]])
+
+
+def _thickness(edges: np.ndarray, length: np.ndarray, settings: WallSettings) -> Optional[float]:
+    """Return the mean distance of parallel edges that face each other, weighted by how far they do."""
+    total = weight = 0.0
+    least = np.cos(np.radians(settings.opposite_deg))
+    for i in range(len(edges)):
+        along = (edges[i, 2:] - edges[i, :2]) / max(length[i], 1e-9)
+        for j in range(len(edges)):
+            other = (edges[j, 2:] - edges[j, :2]) / max(length[j], 1e-9)
+            if along @ other > -least:
+                continue
+            near, far = sorted((edges[j, k : k + 2] - edges[i, :2]) @ along for k in (0, 2))
+            overlap = min(far, length[i]) - max(near, 0.0)
+            away = ((edges[j, :2] + edges[j, 2:]) / 2 - edges[i, :2]) @ np.array([-along[1], along[0]])
+            if overlap > 0 and settings.strip_m * 0.5 < abs(away) <= settings.thickest_m:
+                total += overlap * abs(away)
+                weight += overlap
+    return total / weight if weight else None
