@@ -18,6 +18,9 @@ from .sheets import Sheet
 OUTSIDE = -1
 """Number of the cell beyond the frame."""
 
+CORE_SEEN, CORE_KNOWN = 0.2, 0.4
+"""A cell is the core of a wall if less than this share of what is known was seen, and more than this is known."""
+
 ON_LINE = 1e-4
 """A border lies on a line if both its ends are so near to it, metres."""
 
@@ -167,6 +170,9 @@ def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple:
     certain = np.bincount(label[known], minlength=count)[1:]
     seen = np.bincount(label[known], weight[known], count)[1:]
     area = np.array([cell.area for cell in arrangement.cells]) / np.maximum(total, 1)
+    # The faces of a partition hide most of its core: all of it is as what is known.
+    core = (seen < CORE_SEEN * certain) & (certain > CORE_KNOWN * total)
+    area[core] *= (total / np.maximum(certain, 1))[core]
     return seen * area, (certain - seen) * area
 
 

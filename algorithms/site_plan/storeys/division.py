@@ -96,12 +96,23 @@ def divide(
     low = (1 << round(settings.tall_m / levels.level_m)) - 1
     bodies = uprights.mean_levels(np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low)
     cost = settings.border_m * arrangement.lengths
-    cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / settings.full_levels, 1))
+    full = min(settings.full_levels, settings.full_share * _usual_levels(sheets))
+    cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / full, 1))
     cost[tracks.beside] *= settings.beside_border
     inner = (arrangement.sides >= 0).all(axis=1)
     is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
     division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall, bodies)
     return _filled(division, settings)
+
+
+def _usual_levels(sheets: list) -> float:
+    """Return the number of levels that half of the sheets, by area, fill at least."""
+    levels = np.array([sheet.levels for sheet in sheets])
+    area = np.array([sheet.levels * sheet.length for sheet in sheets])
+    order = np.argsort(levels)
+    if not len(order):
+        return 1.0
+    return float(levels[order][np.searchsorted(np.cumsum(area[order]), area.sum() / 2)])
 
 
 def _filled(division: Division, settings: CutSettings) -> Division:

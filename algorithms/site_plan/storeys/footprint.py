@@ -60,8 +60,9 @@ def find_footprint(
     weight[ceiling >= around - settings.drop_m] = settings.ceiling_weight
     neutral = _are_upright(uprights, frame, settings.upright_levels)
     closing = min(settings.closed_spacings * voxels.spacing_m, settings.closed_m)
-    weight = _closed(weight, neutral | _drawn(sheets, frame, settings.barrier_m), max(round(closing / frame.pixel_m), 1))
-    weight[neutral] = np.nan
+    barrier = neutral | _drawn(sheets, frame, settings.barrier_m)
+    weight = _closed(weight, barrier, max(round(closing / frame.pixel_m), 1))
+    weight[neutral | (barrier & (weight == 0))] = np.nan
     return Footprint(frame, weight, floor, ceiling)
 
 

@@ -110,8 +110,11 @@ def _is_parapet(niche: Polygon, footprint: Footprint, storey: Storey, settings: 
     """Tell whether the floor of a niche is a sill."""
     if niche.area < 0.01 or not niche.buffer(-settings.deepest_parapet_m / 2).is_empty:
         return False
-    floor = _median(footprint.floor[_pixels(niche, footprint)])
-    return floor is not None and floor > storey.floor + settings.sill_m
+    floor = footprint.floor[_pixels(niche, footprint)]
+    floor = floor[np.isfinite(floor)]
+    if not len(floor) or np.median(floor) < storey.floor + settings.sill_m:
+        return False
+    return bool((np.abs(floor - np.median(floor)) < settings.sill_m_off).mean() >= settings.sill_share)
 
 
 def cut_at_openings(

@@ -119,7 +119,9 @@ class CutSettings:
     seen_border: float = 0.05
     """Share of it that a border on a full face costs."""
     full_levels: float = 12.0
-    """A face is full with so many levels."""
+    """A face is full with so many levels ..."""
+    full_share: float = 0.6
+    """... or with this share of what is usual in sparse points."""
     fewest_levels: float = 4.0
     """A border with fewer levels of upright surface is not a wall but the limit of the scan."""
     beside_m: float = 0.04
@@ -156,7 +158,7 @@ class RoomSettings:
     """A lintel is above this height over the floor."""
     eye_m: tuple = (1.0, 1.7)
     """Between these heights over the floor an opening is open, and its sill is below."""
-    lintel_levels: float = 2.0
+    lintel_levels: float = 1.5
     """Fewest levels of surface above an opening ..."""
     parapet_levels: float = 5.0
     """... or below it, if there is also one above."""
@@ -164,7 +166,7 @@ class RoomSettings:
     """Largest share of the levels at eye height that hold surface in an opening; with more it is shut ..."""
     widest_leaf_m: float = 2.0
     """... and then no wider than this."""
-    neck_m: float = 1.0
+    neck_m: float = 1.2
     """A narrow place up to this width is a door without a lintel ..."""
     narrowing: float = 0.8
     """... if it is narrower than this share of the spaces on both sides."""
@@ -174,6 +176,10 @@ class RoomSettings:
     """Narrowest room."""
     sill_m: float = 0.5
     """A niche whose floor is higher is a window: below it stands a parapet ..."""
+    sill_share: float = 0.6
+    """The sill lies over at least this share of the niche; shelves do not ..."""
+    sill_m_off: float = 0.06
+    """... up to this."""
     deepest_parapet_m: float = 0.6
     """... unless it is deeper than walls are thick."""
 
