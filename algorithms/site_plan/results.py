@@ -10,6 +10,7 @@ from .axes.axes import Axis
 from .density.density_image import DensityImage
 from .rooms.rooms import Room
 from .settings import SitePlanSettings
+from .storeys.storey_plan import StoreyPlan
 from .walls.extraction import WallImage
 from .walls.wall import Wall
 
@@ -61,6 +62,8 @@ class SitePlan(WallPlan):
         The walls with the outlines of their pixels; the same as `walls` unless these were refined.
     foliage : int
         Number of walls that were left out because their points lie on no face.
+    storey : StoreyPlan or None
+        The rooms and walls under a ceiling; None if no ceiling was seen, or outlines are those of pixels.
     axes : tuple of Axis or None
         None if they were not wanted.
     rooms : tuple of Room or None
@@ -71,6 +74,7 @@ class SitePlan(WallPlan):
     density: DensityImage
     pixel_walls: tuple[Wall, ...]
     foliage: int
+    storey: Optional[StoreyPlan]
     axes: Optional[tuple[Axis, ...]]
     rooms: Optional[tuple[Room, ...]]
 

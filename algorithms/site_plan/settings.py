@@ -8,6 +8,7 @@ from .density.height_range import HeightRange
 from .density.settings import DensitySettings
 from .faces.settings import FaceSettings
 from .rooms.settings import RoomSettings
+from .storeys.settings import StoreySettings
 from .walls.extraction import WallParameters
 from .walls.settings import WallSettings
 
@@ -32,7 +33,7 @@ class SitePlanSettings:
         Whether outlines are moved from the edges of pixels to the faces of the walls.
     with_axes, with_rooms : bool
         Whether axes and rooms are looked for.
-    density, walls, faces, axes, rooms
+    density, walls, faces, axes, rooms, storeys
         Settings of the stages.
     """
 
@@ -49,3 +50,4 @@ class SitePlanSettings:
     faces: FaceSettings = field(default_factory=FaceSettings)
     axes: AxisSettings = field(default_factory=AxisSettings)
     rooms: RoomSettings = field(default_factory=RoomSettings)
+    storeys: StoreySettings = field(default_factory=StoreySettings)

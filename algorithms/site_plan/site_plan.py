@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager
+from typing import Optional
 
 from ..clouds.cloud import Cloud
 from ..errors import NothingFoundError
@@ -13,6 +14,8 @@ from .faces.refinement import refine_on_points
 from .results import SitePlan, WallPlan
 from .rooms.rooms import Room, find_rooms, with_floors
 from .settings import SitePlanSettings
+from .storeys.joining import bodies, join_rooms, join_walls, plan_storey
+from .storeys.storey_plan import StoreyPlan
 from .walls.extraction import WallParameters, extract_wall_pixels
 from .walls.settings import WallSettings
 from .walls.wall import Wall, describe_walls
@@ -26,7 +29,8 @@ def make_site_plan(
     """Make the plan of a site.
 
     The cloud is thinned and a density image is computed, walls are extracted from it, and their outlines are
-    moved onto the faces that the points show. Axes and rooms follow from the outlines.
+    moved onto the faces that the points show. Where a ceiling was seen, rooms and walls come from the faces and
+    the floor of the storey instead. Axes follow from the outlines, and so do rooms in the open.
 
     Parameters
     ----------
@@ -45,18 +49,23 @@ def make_site_plan(
         If the caller asked to stop.
     """
     with (
-        _sorted(cloud, settings, progress.part(0.0, 0.65)) as (density, points),
+        _sorted(cloud, settings, progress.part(0.0, 0.5)) as (density, points),
         _warnings_kept(density.warnings),
     ):
-        chosen = settings.wall_parameters, progress.part(0.65, 0.8), settings.walls
+        chosen = settings.wall_parameters, progress.part(0.5, 0.6), settings.walls
         found = extract_walls(DensityRaster.of(density), *chosen)
-        walls, foliage = found.walls, 0
+        walls, foliage, storey = found.walls, 0, None
         if settings.refine:
             pixels = found.image.walls
-            fitting = progress.part(0.8, 0.9)
+            fitting = progress.part(0.6, 0.7)
             walls, foliage = refine_on_points(walls, pixels, points, density, fitting, settings.faces)
+            storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
+    if storey:
+        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
     axes = _axes(walls, settings, progress.part(0.9, 0.95)) if settings.with_axes else None
-    rooms = _rooms(walls, density, settings, progress.part(0.95, 1.0)) if settings.with_rooms else None
+    rooms = (
+        _rooms(walls, storey, density, settings, progress.part(0.95, 1.0)) if settings.with_rooms else None
+    )
     progress.update(1.0)
     return SitePlan(
         transform=density.transform,
@@ -68,6 +77,7 @@ def make_site_plan(
         density=density,
         pixel_walls=found.walls,
         foliage=foliage,
+        storey=storey,
         axes=axes,
         rooms=rooms,
     )
@@ -130,12 +140,16 @@ def _warnings_kept(warnings: tuple[str, ...]) -> Iterator[None]:
 
 
 def _axes(walls: tuple[Wall, ...], settings: SitePlanSettings, progress: Progress) -> tuple[Axis, ...]:
-    return find_axes([(wall.wall_id, wall.outline) for wall in walls], settings.axes, progress)
+    return find_axes(bodies(walls), settings.axes, progress)
 
 
 def _rooms(
-    walls: tuple[Wall, ...], density: DensityImage, settings: SitePlanSettings, progress: Progress
+    walls: tuple[Wall, ...],
+    storey: Optional[StoreyPlan],
+    density: DensityImage,
+    settings: SitePlanSettings,
+    progress: Progress,
 ) -> tuple[Room, ...]:
-    outlines = [wall.outline for wall in walls]
-    rooms = find_rooms(outlines, settings.rooms, progress)
-    return with_floors(rooms, density.ground, density.transform)
+    rooms = find_rooms([wall.outline for wall in walls], settings.rooms, progress)
+    rooms = with_floors(rooms, density.ground, density.transform)
+    return join_rooms(rooms, storey, settings.storeys.joining) if storey else rooms

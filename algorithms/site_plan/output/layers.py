@@ -23,6 +23,7 @@ WALL_FIELDS = {
     "coverage": "float:12.3",
     "rms": "float:12.4",
     "votes": "int",
+    "body": "int",
 }
 """Fields of the walls layer; those that need the wall's faces (thickness, radius, ...) are null."""
 
@@ -43,8 +44,13 @@ ROOM_FIELDS = {
     "perimeter": "float:12.3",
     "openings": "int",
     "z_floor": "float:12.3",
+    "z_ceiling": "float:12.3",
+    "seen": "float:12.3",
 }
-"""Fields of the rooms layer."""
+"""Fields of the rooms layer; those that are not known are null."""
+
+LEFT_OUT_FIELDS = {"reason": "str:80", "length": "float:12.3"}
+"""Fields of the layer of what was left out."""
 
 
 def write_plan(path: Path, plan: WallPlan) -> None:
@@ -72,3 +78,17 @@ def write_rooms(path: Path, plan: SitePlan) -> None:
         (room.outline, {name: getattr(room, name) for name in ROOM_FIELDS}) for room in plan.rooms or ()
     )
     write_vector(path, "Polygon", ROOM_FIELDS, features, plan.crs)
+
+
+def write_limits(path: Path, plan: SitePlan) -> None:
+    """Write where the scan ends without a wall as lines; without a storey the layer is empty."""
+    limits = plan.storey.limits if plan.storey else ()
+    features = ((line, {"length": line.length}) for line in limits)
+    write_vector(path, "LineString", {"length": "float:12.3"}, features, plan.crs)
+
+
+def write_left_out(path: Path, plan: SitePlan) -> None:
+    """Write the surfaces that are not walls as lines with the fields `LEFT_OUT_FIELDS`."""
+    left_out = plan.storey.left_out if plan.storey else ()
+    features = ((item.line, {"reason": item.reason, "length": item.line.length}) for item in left_out)
+    write_vector(path, "LineString", LEFT_OUT_FIELDS, features, plan.crs)

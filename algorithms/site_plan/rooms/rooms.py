@@ -32,16 +32,21 @@ class Room:
         From 1, the largest first.
     outline : Polygon
         World coordinates; along the faces of the walls and straight across doors. Free columns are holes.
-    openings : int
-        Number of gaps to other rooms or the outside that were bridged: doors, and where a wall is broken.
-    z_floor : float or None
-        Usual height of the ground inside, metres; None if it is not known.
+    openings : int or None
+        Number of gaps to other rooms or the outside that were bridged: doors, and where a wall is broken;
+        None where the room is cut from a storey.
+    z_floor, z_ceiling : float or None
+        Usual heights of floor and ceiling inside, metres; None if they are not known.
+    seen : float or None
+        Share of the area over which floor or ceiling was seen; None outside of storeys.
     """
 
     room_id: int
     outline: Polygon
-    openings: int
+    openings: Optional[int]
     z_floor: Optional[float] = None
+    z_ceiling: Optional[float] = None
+    seen: Optional[float] = None
 
     @property
     def area(self) -> float:

@@ -10,11 +10,11 @@ from shapely.geometry import LineString, Point, Polygon
 from shapely.ops import split, unary_union
 from shapely.prepared import prep
 
-from .linking import label_linked
 from .division import Division
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import Storey
+from .linking import label_linked
 from .settings import LevelSettings, RoomSettings
 
 
@@ -74,7 +74,9 @@ def find_rooms(
     for part, over_sill in zip(parts.outlines, parts.over_sill):
         for outline in getattr(part, "geoms", [part]):
             if are_rooms([outline], settings)[0]:
-                rooms += [piece for piece in cut_at_necks(outline, settings) if are_rooms([piece], settings)[0]]
+                rooms += [
+                    piece for piece in cut_at_necks(outline, settings) if are_rooms([piece], settings)[0]
+                ]
             elif over_sill and _is_parapet(outline, footprint, storey, settings):
                 parapets.append(outline)
     rooms = [_described(room, footprint) for room in sorted(rooms, key=lambda room: -room.area)]
@@ -86,7 +88,14 @@ def _pixels(outline: Polygon, footprint: Footprint) -> tuple:
     frame = footprint.frame
     low, high = np.reshape(outline.bounds, (2, 2))
     (row0, row1), (column0, column1) = frame.places(np.array([low, high]))
-    grid = Affine(frame.pixel_m, 0, frame.left + column0 * frame.pixel_m, 0, frame.pixel_m, frame.bottom + row0 * frame.pixel_m)
+    grid = Affine(
+        frame.pixel_m,
+        0,
+        frame.left + column0 * frame.pixel_m,
+        0,
+        frame.pixel_m,
+        frame.bottom + row0 * frame.pixel_m,
+    )
     shape = (row1 - row0 + 1, column1 - column0 + 1)
     inside = rasterize([outline], shape, transform=grid, dtype="uint8")
     row, column = np.nonzero(inside)
@@ -136,7 +145,11 @@ def cut_at_openings(
 
 
 def _chords(
-    division: Division, inside: np.ndarray, uprights: UprightsAlong, settings: RoomSettings, levels: LevelSettings
+    division: Division,
+    inside: np.ndarray,
+    uprights: UprightsAlong,
+    settings: RoomSettings,
+    levels: LevelSettings,
 ) -> tuple:
     """Tell the borders within rooms that lie in openings, those of them that lie over a parapet, and shut ones.
 
@@ -174,7 +187,9 @@ def _chords(
     return chords, over_sill, shut
 
 
-def _cut_at_shut_doors(division: Division, linked: np.ndarray, shut: list, settings: RoomSettings) -> np.ndarray:
+def _cut_at_shut_doors(
+    division: Division, linked: np.ndarray, shut: list, settings: RoomSettings
+) -> np.ndarray:
     """Return which borders link cells, less the shut openings between two rooms: the others are furniture."""
     sides, is_room = division.arrangement.sides, division.is_room
     for own in sorted(shut, key=len):

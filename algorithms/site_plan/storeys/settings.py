@@ -227,6 +227,20 @@ class FreeFaceSettings:
 
 
 @dataclass(frozen=True)
+class JoiningSettings:
+    """How the plan of a storey meets that of the density image."""
+
+    wall_reach_m: float = 1.0
+    """Walls farther from every room under a ceiling stand outside."""
+    margin_m: float = 0.5
+    """So far around rooms and walls of a storey the density image decides nothing: half a thick wall."""
+    shortest_rest_m: float = 0.5
+    """Shorter ends of walls of the density image are what the margin left of walls of the storey."""
+    own_share: float = 0.5
+    """A closed space with more of its area in the region of a storey is a room of the storey."""
+
+
+@dataclass(frozen=True)
 class StoreySettings:
     """All that the plan of a storey is made with."""
 
@@ -238,6 +252,7 @@ class StoreySettings:
     rooms: RoomSettings = RoomSettings()
     free_faces: FreeFaceSettings = FreeFaceSettings()
     walls: WallSettings = WallSettings()
+    joining: JoiningSettings = JoiningSettings()
     margin_m: float = 1.0
     """Width of the rim around the points."""
     shortest_limit_m: float = 0.1

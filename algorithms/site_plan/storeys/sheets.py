@@ -57,7 +57,9 @@ class Sheet:
         return np.array([-y, x])
 
 
-def find_sheets(uprights: Uprights, noise: float, spacing: float, settings: SheetSettings = SheetSettings()) -> list:
+def find_sheets(
+    uprights: Uprights, noise: float, spacing: float, settings: SheetSettings = SheetSettings()
+) -> list:
     """Find the straight sheets, the fullest first.
 
     Parameters
@@ -91,7 +93,9 @@ def find_sheets(uprights: Uprights, noise: float, spacing: float, settings: Shee
         growth.strike(line, stop - start)
         levels = _filled(along - start, stop - start, uprights.levels[member], step)
         if levels >= settings.fewest_levels:
-            scatter = np.sqrt(np.average(_across(uprights.xy[member], line) ** 2, weights=growth.weight[member]))
+            scatter = np.sqrt(
+                np.average(_across(uprights.xy[member], line) ** 2, weights=growth.weight[member])
+            )
             ends = (line[:2] + place * line[2:] for place in (start, stop))
             found.append(Sheet(*ends, levels, float(scatter)))
     return found

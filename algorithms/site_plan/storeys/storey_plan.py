@@ -1,10 +1,11 @@
 """The plan of a storey: faces and seen floor first."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
+from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import linemerge, unary_union
 
@@ -14,12 +15,12 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces
 from .levels import Storey, find_storey, find_uprights, frame_around
-from .room_cells import Room, find_rooms
+from .room_cells import find_rooms
 from .settings import StoreySettings
-from .sheets import Sheet, find_sheets, share_lines
+from .sheets import find_sheets, share_lines
 from .voxels import make_voxels
 from .wall_bodies import wall_bodies
-from .walls import Wall, describe_walls
+from .walls import describe_walls
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,20 @@ class StoreyPlan:
     spacing_m: float
     noise_m: float
 
+    def moved(self, x: float, y: float) -> "StoreyPlan":
+        """Return the plan shifted in plan, metres."""
+        return replace(
+            self,
+            walls=tuple(replace(wall, outline=translate(wall.outline, x, y)) for wall in self.walls),
+            rooms=tuple(replace(room, outline=translate(room.outline, x, y)) for room in self.rooms),
+            limits=tuple(translate(line, x, y) for line in self.limits),
+            left_out=tuple(replace(item, line=translate(item.line, x, y)) for item in self.left_out),
+            sheets=tuple(
+                replace(sheet, start=sheet.start + (x, y), stop=sheet.stop + (x, y)) for sheet in self.sheets
+            ),
+            region=translate(self.region, x, y),
+        )
+
 
 def make_storey_plan(
     chunks: Iterable, settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
@@ -89,7 +104,10 @@ def make_storey_plan(
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.4, "Finding faces")
     uprights = find_uprights(
-        voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
+        voxels,
+        storey.floor,
+        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
+        settings.levels,
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(sheets, settings.sheets)

@@ -27,7 +27,8 @@ class Wall:
     outline : Polygon
         World coordinates.
     kind : str
-        'straight', 'curved' (also walls that meet at corners) or 'column'.
+        'straight', 'curved' (also walls that meet at corners) or 'column'; under a ceiling 'wall', 'column',
+        or 'parapet' with a window above it.
     length : float
         Length of the centreline, metres.
     z_base, z_top, height : float or None
@@ -35,12 +36,14 @@ class Wall:
         and the difference; metres. None if the heights are unknown.
     azimuth : float or None
         Direction of a straight wall, degrees clockwise from grid north, 0..180.
-    density : float
-        Mean density, points per pixel.
-    votes : int
+    density : float or None
+        Mean density, points per pixel; None where no pixel may be wall.
+    votes : int or None
         Number of thresholds at which at least half the wall was found.
     thickness, thick_sd, radius, coverage, rms : float or None
         See `Measures`; None as long as the faces are not known.
+    body : int or None
+        Under a ceiling, the number of the connected body that the wall is a piece of.
     """
 
     wall_id: int
@@ -51,13 +54,14 @@ class Wall:
     z_top: Optional[float]
     height: Optional[float]
     azimuth: Optional[float]
-    density: float
-    votes: int
+    density: Optional[float]
+    votes: Optional[int]
     thickness: Optional[float] = None
     thick_sd: Optional[float] = None
     radius: Optional[float] = None
     coverage: Optional[float] = None
     rms: Optional[float] = None
+    body: Optional[int] = None
 
 
 def describe_walls(
