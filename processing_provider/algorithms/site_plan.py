@@ -19,9 +19,12 @@ from ..parameters.parameter import Flag
 from ..parameters.rooms import (
     AXES,
     DOOR_WIDTH,
+    LEFT_OUT,
+    LIMITS,
     REPORT,
     ROOM_NUMBERS,
     ROOMS,
+    SECTION,
     log_rooms,
     room_numbers,
     room_writers,
@@ -83,6 +86,7 @@ class SitePlanAlgorithm(Algorithm):
         PIXEL_SIZE,
         *WALL_PARAMETERS,
         REFINE,
+        SECTION,
         CRS,
         neighbourhood(advanced=True),
         *HEIGHT_PARAMETERS,
@@ -94,6 +98,8 @@ class SitePlanAlgorithm(Algorithm):
         ROOMS,
         WALLS,
         AXES,
+        LIMITS,
+        LEFT_OUT,
         REPORT,
     )
     numbers = POINT_NUMBERS + WALL_NUMBERS + ROOM_NUMBERS
@@ -123,6 +129,7 @@ def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
     """Return what the user chose."""
     from ...algorithms.site_plan.rooms.settings import RoomSettings
     from ...algorithms.site_plan.settings import SitePlanSettings
+    from ...algorithms.site_plan.storeys.settings import CutSettings, StoreySettings
 
     return SitePlanSettings(
         spacing_m=values["SPACING"],
@@ -134,6 +141,7 @@ def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
         with_axes=values["AXES"] is not None,
         with_rooms=values["ROOMS"] is not None,
         rooms=RoomSettings(door_width_m=values["DOOR_WIDTH"]),
+        storeys=StoreySettings(cut=CutSettings(section_m=values["SECTION"])),
     )
 
 

@@ -23,6 +23,17 @@ DOOR_WIDTH = Number(
     advanced=True,
 )
 
+SECTION = Number(
+    "SECTION",
+    "Height of the cut above the floor",
+    "Where a ceiling was seen, the plan shows what stands at this height above the floor. Faces are recognised "
+    "over the full height of the storey.",
+    unit="m",
+    default=1.1,
+    minimum=0.2,
+    maximum=3,
+)
+
 AXES = LineDestination(
     "AXES",
     "Axes",
@@ -36,9 +47,28 @@ AXES = LineDestination(
 ROOMS = PolygonDestination(
     "ROOMS",
     "Rooms",
-    "Closed spaces between the faces of the walls, with area and perimeter. GeoPackage or shapefile, by "
-    "extension.",
+    "Rooms between the faces of the walls, with area, perimeter, heights of floor and ceiling. GeoPackage or "
+    "shapefile, by extension.",
     style="rooms",
+    optional=True,
+    by_default=False,
+)
+
+LIMITS = LineDestination(
+    "LIMITS",
+    "Limits of the scan",
+    "Lines where a room ends without a wall, because the scan ends there. GeoPackage or shapefile, by extension.",
+    style="limits",
+    optional=True,
+    by_default=False,
+)
+
+LEFT_OUT = LineDestination(
+    "LEFT_OUT",
+    "Surfaces left out",
+    "Upright surfaces in rooms that are not walls, with the reason: furniture, curtains, door leaves. "
+    "GeoPackage or shapefile, by extension.",
+    style="left_out",
     optional=True,
     by_default=False,
 )
@@ -58,18 +88,42 @@ ROOM_NUMBERS = (
 
 
 def log_rooms(plan: "SitePlan", log: Log) -> None:
-    """Write to the log which axes and rooms were found, if they were wanted."""
+    """Write to the log the storey, and which axes and rooms were found, if they were wanted."""
+    if plan.storey and plan.storey.storey:
+        log.info(_storey(plan))
+    elif plan.settings.refine:
+        log.info("No ceiling was seen: the walls are those of the density image.")
     if plan.axes is not None:
         log.info(f"Axes: {len(plan.axes)}, {plan.axes_length:.1f} m long.")
     if plan.rooms is not None:
         log.info(f"Rooms: {len(plan.rooms)}, {plan.room_area:.2f} m².")
 
 
-def room_writers(plan: "SitePlan") -> dict[str, Writer]:
-    """Return what writes AXES, ROOMS and REPORT."""
-    from ...algorithms.site_plan.output.layers import write_axes, write_rooms
+def _storey(plan: "SitePlan") -> str:
+    """Return what the log says of the storey."""
+    found = plan.storey
+    assert found is not None
+    assert found.storey is not None
+    limits = sum(line.length for line in found.limits)
+    left_out = sum(item.line.length for item in found.left_out)
+    return (
+        f"Storey: floor at {found.storey.floor:.2f} m, ceiling at {found.storey.ceiling:.2f} m; points "
+        f"{100 * found.spacing_m:.1f} cm apart, noise {1000 * found.noise_m:.0f} mm. Borders of rooms without "
+        f"a wall: {limits:.1f} m. Left out as furniture and the like: {left_out:.1f} m."
+    )
 
-    writers = {"AXES": write_axes, "ROOMS": write_rooms, "REPORT": _write_report}
+
+def room_writers(plan: "SitePlan") -> dict[str, Writer]:
+    """Return what writes AXES, ROOMS, LIMITS, LEFT_OUT and REPORT."""
+    from ...algorithms.site_plan.output.layers import write_axes, write_left_out, write_limits, write_rooms
+
+    writers = {
+        "AXES": write_axes,
+        "ROOMS": write_rooms,
+        "LIMITS": write_limits,
+        "LEFT_OUT": write_left_out,
+        "REPORT": _write_report,
+    }
     return {name: partial(write, plan=plan) for name, write in writers.items()}
 
 

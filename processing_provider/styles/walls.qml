@@ -6,6 +6,8 @@
       <category value="straight" symbol="0" render="true" label="Straight wall"/>
       <category value="curved" symbol="1" render="true" label="Curved or angled wall"/>
       <category value="column" symbol="2" render="true" label="Column"/>
+      <category value="wall" symbol="4" render="true" label="Wall of a room"/>
+      <category value="parapet" symbol="5" render="true" label="Parapet, window above"/>
       <category value="" symbol="3" render="true" label="Other"/>
     </categories>
     <symbols>
@@ -55,6 +57,32 @@
             <Option type="QString" name="style" value="solid"/>
             <Option type="QString" name="joinstyle" value="miter"/>
             <Option type="QString" name="outline_color" value="70,70,70,255"/>
+            <Option type="QString" name="outline_style" value="solid"/>
+            <Option type="QString" name="outline_width" value="0.3"/>
+            <Option type="QString" name="outline_width_unit" value="MM"/>
+          </Option>
+        </layer>
+      </symbol>
+      <symbol type="fill" name="4" alpha="1" clip_to_extent="1" force_rhr="0">
+        <layer class="SimpleFill" enabled="1" locked="0" pass="0">
+          <Option type="Map">
+            <Option type="QString" name="color" value="200,85,61,110"/>
+            <Option type="QString" name="style" value="solid"/>
+            <Option type="QString" name="joinstyle" value="miter"/>
+            <Option type="QString" name="outline_color" value="140,40,20,255"/>
+            <Option type="QString" name="outline_style" value="solid"/>
+            <Option type="QString" name="outline_width" value="0.3"/>
+            <Option type="QString" name="outline_width_unit" value="MM"/>
+          </Option>
+        </layer>
+      </symbol>
+      <symbol type="fill" name="5" alpha="1" clip_to_extent="1" force_rhr="0">
+        <layer class="SimpleFill" enabled="1" locked="0" pass="0">
+          <Option type="Map">
+            <Option type="QString" name="color" value="230,190,170,110"/>
+            <Option type="QString" name="style" value="solid"/>
+            <Option type="QString" name="joinstyle" value="miter"/>
+            <Option type="QString" name="outline_color" value="140,40,20,255"/>
             <Option type="QString" name="outline_style" value="solid"/>
             <Option type="QString" name="outline_width" value="0.3"/>
             <Option type="QString" name="outline_width_unit" value="MM"/>

@@ -35,7 +35,8 @@ def assert_is_styled(layers, path):
     assert classes == {0: 0, 1: 255}
     renderer = layers["WALLS"].renderer()
     assert renderer.classAttribute() == "kind"
-    assert [entry.value() for entry in renderer.categories()] == ["straight", "curved", "column", ""]
+    kinds = [entry.value() for entry in renderer.categories()]
+    assert kinds == ["straight", "curved", "column", "wall", "parapet", ""]
     assert all(entry.symbol().color().alpha() < 255 for entry in renderer.categories())
 
 
