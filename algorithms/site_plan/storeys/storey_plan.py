@@ -12,13 +12,14 @@ from ...progress import Progress
 from .division import Division, divide
 from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
-from .free_faces import clear_before, free_faces
+from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
 from .room_cells import Room, find_rooms
+from .regular import square_up
 from .settings import StoreySettings
 from .sheets import Sheet, find_sheets, share_lines
 from .voxels import make_voxels
-from .wall_bodies import wall_bodies
+from .wall_bodies import behind, wall_bodies
 from .walls import Wall, describe_walls
 
 
@@ -92,7 +93,7 @@ def make_storey_plan(
         voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
-    sheets = share_lines(sheets, settings.sheets)
+    sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
     progress.update(0.6, "Finding floor and ceiling")
     frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
     footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
@@ -133,13 +134,16 @@ def _walls(
     storey: Storey,
     settings: StoreySettings,
 ) -> list:
-    """Return the walls behind the faces that bound rooms, and behind those that stand outside."""
+    """Return the walls behind the faces that bound rooms, and behind those that stand free."""
     faces, _ = division.faces(settings.cut)
-    free = free_faces(sheets, division.rooms(), faces, along, footprint, settings.free_faces, settings.levels)
-    solid = division.solid()
+    rooms, solid = division.rooms(), division.solid()
+    free = free_faces(sheets, rooms, faces, along, footprint, settings.free_faces, settings.levels)
+    thin = screens(sheets, rooms, faces, along, settings.free_faces, settings.levels)
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
-    bodies = wall_bodies(np.vstack([faces, free]), solid, settings.walls)
+    if len(thin):
+        solid = unary_union([solid, behind(thin, settings.walls.strip_m)])
+    bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 
 
