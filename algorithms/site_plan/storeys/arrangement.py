@@ -87,12 +87,13 @@ def _paired(cells: list, edges: np.ndarray, owner: np.ndarray) -> Arrangement:
     return Arrangement(cells, ends, sides)
 
 
-def sheet_lines(sheets: Iterable, extension: float) -> list:
-    """Return the sheets as lines that go on beyond their ends, metres."""
-    return [
-        LineString([sheet.start - extension * sheet.direction, sheet.stop + extension * sheet.direction])
-        for sheet in sheets
-    ]
+def sheet_lines(sheets: Iterable, settings: CutSettings) -> list:
+    """Return the sheets as lines that go on beyond their ends, short ones less far."""
+    lines = []
+    for sheet in sheets:
+        beyond = min(settings.extension_m, settings.extension_lengths * sheet.length) * sheet.direction
+        lines.append(LineString([sheet.start - beyond, sheet.stop + beyond]))
+    return lines
 
 
 def footprint_lines(footprint: Footprint, settings: CutSettings) -> list:

@@ -91,7 +91,7 @@ def divide(
     levels: LevelSettings = LevelSettings(),
 ) -> Division:
     """Divide a storey into rooms and solid by the cheapest cut."""
-    lines = sheet_lines(sheets, settings.extension_m) + footprint_lines(footprint, settings)
+    lines = sheet_lines(sheets, settings) + footprint_lines(footprint, settings)
     arrangement = arrange(lines, footprint.frame)
     seen, unseen = seen_and_unseen(arrangement, footprint)
     tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)

@@ -1,5 +1,7 @@
 """Faces that bound no room: facades, and walls beyond what was seen of floor and ceiling."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from shapely.geometry import LineString, Polygon
 from shapely.ops import unary_union
@@ -52,6 +54,42 @@ def free_faces(
     return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
 
 
+def screens(
+    sheets: list,
+    rooms,
+    faces: np.ndarray,
+    uprights: UprightsAlong,
+    settings: FreeFaceSettings = FreeFaceSettings(),
+    levels: LevelSettings = LevelSettings(),
+) -> np.ndarray:
+    """Return the thin walls that stand free in rooms, beside a stair for example.
+
+    They are wider than a door's leaf, and stand farther from a wall than furniture and curtains do.
+    Parameters and result are as those of `free_faces`; the side to the left is as good as the other.
+    """
+    inside = rooms.buffer(-settings.apart_m)
+    low, high = round(settings.from_m / levels.level_m), round(settings.to_m / levels.level_m)
+    mask, fewest = ((1 << high) - 1) ^ ((1 << low) - 1), settings.filled * (high - low)
+    found = []
+    for sheet in sheets:
+        free = LineString([sheet.start, sheet.stop]).intersection(inside)
+        for part in getattr(free, "geoms", [free]):
+            if part.length >= settings.screen_m:
+                ends = np.asarray(part.coords)
+                runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
+                found += [run for run in runs if not _has_wall_behind(run, faces, settings.furniture_m)]
+    found = np.array(found).reshape(-1, 4)
+    tall = uprights.mean_levels(found, -1 << round(settings.head_m / levels.level_m))
+    return found[tall >= settings.head_levels]
+
+
+def _has_wall_behind(run: np.ndarray, faces: np.ndarray, reach: float) -> bool:
+    """Tell whether a face of a wall runs within the reach of a line, along it."""
+    along = (run[2:] - run[:2]) / np.hypot(*(run[2:] - run[:2]))
+    beside = _overlaps(run, faces, along)
+    return bool(((beside.cosine > PARALLEL) & (beside.overlap > 0.2) & (np.abs(beside.across) < reach)).any())
+
+
 def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float) -> list:
     """Return the parts of a line on which enough levels are filled; each x, y, x, y."""
     bits, _ = uprights.stations(np.r_[ends[0], ends[-1]][None])
@@ -83,16 +121,31 @@ def _turned(
 
 
 def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
-    """Return how far faces of rooms turn their solid side to this one: positive from the left, negative from the right."""
-    way = faces[:, 2:] - faces[:, :2]
-    length = np.maximum(np.hypot(*way.T), 1e-9)
-    cosine = way @ along / length
+    """Return how far faces of rooms turn their solid to this one: positive from the left, negative from the right."""
+    beside = _overlaps(run, faces, along)
+    # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
+    facing = (beside.cosine > PARALLEL) & (beside.overlap > 0) & (np.abs(beside.across) < thickest)
+    facing &= beside.way * beside.across < 0
+    return float((np.sign(beside.across) * beside.overlap)[facing].sum())
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """How faces lie beside a line; arrays of shape (faces,)."""
+
+    cosine: np.ndarray
+    way: np.ndarray
+    across: np.ndarray
+    overlap: np.ndarray
+
+
+def _overlaps(run: np.ndarray, faces: np.ndarray, along: np.ndarray) -> _Beside:
+    direction = faces[:, 2:] - faces[:, :2]
+    way = direction @ along / np.maximum(np.hypot(*direction.T), 1e-9)
     ends = np.stack([faces[:, :2], faces[:, 2:]], axis=1) - run[:2]
     place, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
     overlap = np.minimum(place[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(place[:, 0], 0)
-    # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
-    facing = (np.abs(cosine) > PARALLEL) & (overlap > 0) & (np.abs(across) < thickest) & (cosine * across < 0)
-    return float((np.sign(across) * overlap)[facing].sum())
+    return _Beside(np.abs(way), way, across, overlap)
 
 
 def _seen(footprint: Footprint, places: np.ndarray) -> float:

@@ -52,18 +52,22 @@ def _chunks(points: SortedPoints, origin: np.ndarray, progress: Progress) -> Ite
 
 
 def under_roof(plan: StoreyPlan, settings: JoiningSettings) -> Optional[StoreyPlan]:
-    """Return the part of a plan with rooms whose ceiling was seen, and their walls; None if there is none."""
-    rooms = tuple(room for room in plan.rooms if room.z_ceiling is not None)
+    """Return the part of a plan under its roof, with a margin for its region; None if no room lies there."""
+    rooms = tuple(
+        room
+        for room in plan.rooms
+        if room.outline.intersection(plan.region).area >= settings.own_share * room.outline.area
+    )
     if not rooms:
         return None
-    near = unary_union([room.outline for room in rooms]).buffer(settings.wall_reach_m)
+    near = plan.region.buffer(settings.wall_reach_m)
     walls = tuple(wall for wall in plan.walls if wall.outline.intersects(near))
-    region = unary_union([*(room.outline for room in rooms), *(wall.outline for wall in walls)])
+    covered = [plan.region, *(room.outline for room in rooms), *(wall.outline for wall in walls)]
     return replace(
         plan,
         rooms=rooms,
         walls=walls,
-        region=region.buffer(settings.margin_m),
+        region=unary_union(covered).buffer(settings.margin_m),
         limits=tuple(line for line in plan.limits if line.intersects(near)),
         left_out=tuple(item for item in plan.left_out if item.line.intersects(near)),
     )

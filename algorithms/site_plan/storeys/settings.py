@@ -98,6 +98,13 @@ class SheetSettings:
     shared_gap_m: float = 2.0
     """... and so near to each other share one line."""
     shared_turn_deg: float = 3.0
+    """Sheets on one line differ in direction by less."""
+    long_m: float = 0.8
+    """The direction of a sheet so long is sure."""
+    square_within_m: float = 1.0
+    """A shorter sheet is turned square to a long one so near ..."""
+    square_deg: float = 4.0
+    """... if it is square up to this already, or up to what its length leaves open."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +112,9 @@ class CutSettings:
     """How cells become room or solid."""
 
     extension_m: float = 0.5
-    """Lines go on so far beyond their sheets, to corners that are hidden."""
+    """Lines go on so far beyond their sheets, to corners that are hidden ..."""
+    extension_lengths: float = 1.5
+    """... but not by more than this times the sheet's length: the direction of a short one is uncertain."""
     outline_m: float = 0.05
     """The footprint's outline is straightened by at most this."""
     smallest_outline_m2: float = 0.05
@@ -224,6 +233,26 @@ class FreeFaceSettings:
     """So far before a face it is clear."""
     thickest_m: float = 0.6
     """The other face of the wall is not farther."""
+    screen_m: float = 1.3
+    """Shortest thin wall that stands free in a room: longer than the leaf of a door."""
+    head_m: float = 1.9
+    """It rises above the heads of people, ..."""
+    head_levels: float = 1.0
+    """... by so many levels, ..."""
+    furniture_m: float = 0.7
+    """... and stands farther from walls than furniture is deep."""
+
+
+@dataclass(frozen=True)
+class RoofSettings:
+    """Where a storey lies under a roof."""
+
+    cell_m: float = 0.2
+    """Cells in which a ceiling was seen or not."""
+    closed_m: float = 0.6
+    """Gaps in the ceiling that are closed: lamps, beams, and walls on which it rests."""
+    smallest_m2: float = 2.0
+    """Smaller patches are not rooms: canopies, lintels, reflections."""
 
 
 @dataclass(frozen=True)
@@ -252,6 +281,7 @@ class StoreySettings:
     rooms: RoomSettings = RoomSettings()
     free_faces: FreeFaceSettings = FreeFaceSettings()
     walls: WallSettings = WallSettings()
+    roof: RoofSettings = RoofSettings()
     joining: JoiningSettings = JoiningSettings()
     margin_m: float = 1.0
     """Width of the rim around the points."""

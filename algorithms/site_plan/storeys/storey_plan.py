@@ -13,14 +13,16 @@ from ...progress import Progress
 from .division import Division, divide
 from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
-from .free_faces import clear_before, free_faces
+from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
-from .room_cells import find_rooms
+from .roof import roofed
+from .room_cells import Room, find_rooms
+from .regular import square_up
 from .settings import StoreySettings
-from .sheets import find_sheets, share_lines
+from .sheets import Sheet, find_sheets, share_lines
 from .voxels import make_voxels
-from .wall_bodies import wall_bodies
-from .walls import describe_walls
+from .wall_bodies import behind, wall_bodies
+from .walls import Wall, describe_walls
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ class StoreyPlan:
     sheets : tuple of Sheet
         All straight upright surfaces.
     region : Polygon or MultiPolygon
-        Where this plan decides: rooms and their walls, and a margin.
+        Where a ceiling was seen.
     storey : Storey or None
         Heights of floor and ceiling; None if neither was seen, then all is empty.
     spacing_m, noise_m : float
@@ -71,6 +73,7 @@ class StoreyPlan:
 
     def moved(self, x: float, y: float) -> "StoreyPlan":
         """Return the plan shifted in plan, metres."""
+        shift = np.array([x, y])
         return replace(
             self,
             walls=tuple(replace(wall, outline=translate(wall.outline, x, y)) for wall in self.walls),
@@ -78,7 +81,7 @@ class StoreyPlan:
             limits=tuple(translate(line, x, y) for line in self.limits),
             left_out=tuple(replace(item, line=translate(item.line, x, y)) for item in self.left_out),
             sheets=tuple(
-                replace(sheet, start=sheet.start + (x, y), stop=sheet.stop + (x, y)) for sheet in self.sheets
+                replace(sheet, start=sheet.start + shift, stop=sheet.stop + shift) for sheet in self.sheets
             ),
             region=translate(self.region, x, y),
         )
@@ -104,13 +107,10 @@ def make_storey_plan(
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.4, "Finding faces")
     uprights = find_uprights(
-        voxels,
-        storey.floor,
-        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
-        settings.levels,
+        voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
-    sheets = share_lines(sheets, settings.sheets)
+    sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
     progress.update(0.6, "Finding floor and ceiling")
     frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
     footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
@@ -127,8 +127,7 @@ def make_storey_plan(
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
     walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
-    inside = division.rooms()
-    region = unary_union([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
+    region = roofed(footprint, settings.roof)
     return StoreyPlan(
         tuple(walls),
         tuple(rooms),
@@ -151,13 +150,16 @@ def _walls(
     storey: Storey,
     settings: StoreySettings,
 ) -> list:
-    """Return the walls behind the faces that bound rooms, and behind those that stand outside."""
+    """Return the walls behind the faces that bound rooms, and behind those that stand free."""
     faces, _ = division.faces(settings.cut)
-    free = free_faces(sheets, division.rooms(), faces, along, footprint, settings.free_faces, settings.levels)
-    solid = division.solid()
+    rooms, solid = division.rooms(), division.solid()
+    free = free_faces(sheets, rooms, faces, along, footprint, settings.free_faces, settings.levels)
+    thin = screens(sheets, rooms, faces, along, settings.free_faces, settings.levels)
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
-    bodies = wall_bodies(np.vstack([faces, free]), solid, settings.walls)
+    if len(thin):
+        solid = unary_union([solid, behind(thin, settings.walls.strip_m)])
+    bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 
 
