@@ -29,6 +29,7 @@ from shapely.prepared import PreparedGeometry, prep
 
 from ..errors import InputError
 from .boundary import Boundary, Pieces, cut_boundary, distances_along
+from .outlines import dissolved
 from .plan import PlanAgreement
 from .settings import DrawnPlanSettings
 
@@ -129,14 +130,14 @@ def compare_with_drawn(
     Parameters
     ----------
     walls : sequence of Polygon
-        Metres.
+        Metres; those that touch are one.
     drawn : DrawnPlan
     tolerance : float
         Metres.
     settings : DrawnPlanSettings
     """
     region = prep(drawn.judged)
-    outlines = [cut_boundary(wall, settings.step_m) for wall in walls]
+    outlines = [cut_boundary(wall, settings.step_m) for wall in dissolved(walls, settings.seam_m).geoms]
     truth, neutral, asked = (
         cut_boundary(lines, settings.step_m) for lines in (drawn.allowed, drawn.neutral, drawn.demanded)
     )

@@ -85,7 +85,7 @@ def outlines_of(
         raise InputError(f"{source} holds no outlines; choose a layer of polygons.")
     warnings = (f"Outlines of {source} that cross themselves were repaired: {repaired}.",) if repaired else ()
     # The lines that a repair leaves beside polygons were spikes.
-    shape = _dissolved(polygons, settings.seam_m) if polygons else MultiLineString(lines)
+    shape = dissolved(polygons, settings.seam_m) if polygons else MultiLineString(lines)
     return Outlines(source, shape, crs, path, warnings)
 
 
@@ -142,7 +142,7 @@ def _parts(shape: BaseGeometry) -> list[BaseGeometry]:
     return [piece for part in shape.geoms for piece in _parts(part)] if hasattr(shape, "geoms") else [shape]
 
 
-def _dissolved(polygons: Sequence[Polygon], seam_m: float) -> MultiPolygon:
+def dissolved(polygons: Sequence[Polygon], seam_m: float) -> MultiPolygon:
     """Return the union of polygons without the seams between those that touch."""
     grown = unary_union([polygon.buffer(seam_m / 2, join_style=2) for polygon in polygons])
     return MultiPolygon(_parts(grown.buffer(-seam_m / 2, join_style=2)))

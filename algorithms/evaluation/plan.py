@@ -131,7 +131,9 @@ def _stretches(side: str, off: str, boundary: Boundary, tolerance: float) -> Ite
     """Yield the runs of pieces whose offsets are of one class; `off` is the state of the last class."""
     starts, ends, line = boundary.pieces
     kinds = np.searchsorted(tolerance * np.array(CLASSES), boundary.offsets)
-    borders = np.flatnonzero(np.diff(line).astype(bool) | np.diff(kinds).astype(bool)) + 1
+    # Pieces that were not judged leave gaps.
+    apart = np.diff(line).astype(bool) | np.any(starts[1:] != ends[:-1], axis=1)
+    borders = np.flatnonzero(apart | np.diff(kinds).astype(bool)) + 1
     for run in np.split(np.arange(len(kinds)), borders) if len(kinds) else ():
         drawn = LineString(np.vstack([starts[run], ends[run[-1:]]]))
         offsets = boundary.offsets[run]

@@ -40,6 +40,7 @@ class DrawnPlanSettings:
 
     step_m: float = judged(0.02, "Pieces this short find the end of an error; shorter ones cost time.")
     angle_deg: float = judged(25.0, "A line across a face does not stand for it.")
+    seam_m: float = physical(0.001, "Gaps between touching walls come from rounded coordinates.")
     strip_m: float = physical(
         0.08, "A wall of which one face was seen is drawn as a strip up to this thick; its back is no face."
     )

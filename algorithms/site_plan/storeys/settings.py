@@ -199,8 +199,8 @@ class WallSettings:
 
     thickest_m: float = 0.6
     """Two faces farther apart are two walls, or the outsides of a core."""
-    strip_m: float = 0.06
-    """Width of a wall that one face was seen of."""
+    strip_m: float = 0.02
+    """Width of a wall that one face was seen of: its back is not known, and should not seem to be."""
     shortest_m: float = 0.005
     """Outlines have no shorter edges."""
     straight_m: float = 0.001
