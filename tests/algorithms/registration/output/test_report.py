@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.registration.adjustment.settings import AdjustmentSettings, OutlierTestSettings
 from ichnograph.algorithms.registration.output.report import write_report
 from ichnograph.algorithms.registration.output.report_scan import verdict
 from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
@@ -19,6 +20,7 @@ from ichnograph.tests.algorithms.registration.made_registrations import (
     rejected,
     scan,
 )
+from scipy import stats
 
 
 @pytest.fixture
@@ -173,11 +175,30 @@ def test_the_global_test_speaks(probability, words):
     assert f"the residuals {words}" in verdict(GlobalTest(10.0, 9.0, 1.05, probability)).replace("are ", "")
 
 
+def test_the_level_of_the_global_test_can_be_chosen():
+    test = GlobalTest(10.0, 9.0, 1.05, 0.04)
+
+    assert "larger than" not in verdict(test)
+    assert "larger than" in verdict(test, OutlierTestSettings(global_significance=0.1)).replace("are ", "")
+
+
 def test_the_legend_names_the_critical_values(report):
     text = plain(report(registration(1)))
 
     for part in ("3.29", "4.13", "2.448", "2.795", "80 %"):
         assert part in text
+
+
+def test_the_limits_are_those_that_the_registration_was_run_with(report):
+    tests = OutlierTestSettings(significance=0.01, power=0.9, global_significance=0.2, weak_redundancy=0.62)
+    settings = Settings(adjustment=AdjustmentSettings(tests=tests))
+    doubtful = replace(THREE[0], normalized=np.array([2.7, 0.1, 0.1]))
+    text = report(replace(of_one_scan(doubtful, *THREE[1:]), settings=settings))
+
+    for part in (f"suspected beyond {stats.norm.isf(0.005):.2f}", "power of 90 %", "level of 20 %"):
+        assert part in plain(text)
+    # Each of the three has a redundancy number of 0.60.
+    assert re.findall(r'<b class="red">(.*?)</b>', text) == ["0.60", "2.70", "0.60", "0.60"]
 
 
 def test_appended_points_are_listed_with_their_precision_and_drawn_with_ellipses(report):
