@@ -8,7 +8,6 @@ import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.registration.adjustment.settings import AdjustmentSettings, OutlierTestSettings
 from ichnograph.algorithms.registration.output.report import write_report
-from ichnograph.algorithms.registration.output.report_scan import verdict
 from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.reporting.numbers import MISSING
@@ -166,20 +165,6 @@ def test_what_is_not_known_is_a_dash(report):
     assert "S01 registered 3 3 0 0 1 _ _ 3.0 _ _".replace("_", MISSING) in text
     assert "nan" not in text
     assert text.count("nothing is redundant") == 2
-
-
-@pytest.mark.parametrize(
-    ("probability", "words"), [(0.001, "larger than"), (0.5, "agree with"), (0.999, "smaller than")]
-)
-def test_the_global_test_speaks(probability, words):
-    assert f"the residuals {words}" in verdict(GlobalTest(10.0, 9.0, 1.05, probability)).replace("are ", "")
-
-
-def test_the_level_of_the_global_test_can_be_chosen():
-    test = GlobalTest(10.0, 9.0, 1.05, 0.04)
-
-    assert "larger than" not in verdict(test)
-    assert "larger than" in verdict(test, OutlierTestSettings(global_significance=0.1)).replace("are ", "")
 
 
 def test_the_legend_names_the_critical_values(report):
