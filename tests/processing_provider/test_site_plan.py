@@ -4,6 +4,7 @@ from pathlib import Path
 
 import fiona
 import pytest
+from ichnograph.tests.processing_provider.models import build_model, destination, files
 
 FURTHER = {"AXES": "axes.gpkg", "ROOMS": "rooms.gpkg", "REPORT": "plan.html"}
 
@@ -72,31 +73,10 @@ def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, t
 
 def test_rooms_can_be_the_result_of_a_model(provider, room, tmp_path):
     import processing
-    from qgis.core import (
-        QgsProcessing,
-        QgsProcessingModelAlgorithm,
-        QgsProcessingModelChildAlgorithm,
-        QgsProcessingModelChildParameterSource,
-        QgsProcessingModelOutput,
-        QgsProcessingModelParameter,
-        QgsProcessingParameterMultipleLayers,
-    )
 
-    model = QgsProcessingModelAlgorithm("rooms", "rooms")
-    clouds = QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", QgsProcessing.SourceType.TypeFile)
-    model.addModelParameter(clouds, QgsProcessingModelParameter("CLOUDS"))
-    child = QgsProcessingModelChildAlgorithm("ichnograph:siteplan")
-    child.setChildId("plan")
-    child.addParameterSources("INPUT", [QgsProcessingModelChildParameterSource.fromModelParameter("CLOUDS")])
-    output = QgsProcessingModelOutput("rooms", "rooms")
-    output.setChildOutputName("ROOMS")
-    output.setChildId("plan")
-    child.setModelOutputs({"rooms": output})
-    model.addChildAlgorithm(child)
-    (definition,) = model.destinationParameterDefinitions()
-
+    model = build_model([files("CLOUDS")], {"siteplan": {"INPUT": "CLOUDS"}}, ("siteplan", "ROOMS"))
     path = str(tmp_path / "rooms.gpkg")
-    processing.run(model, {"CLOUDS": [room], definition.name(): path})
+    processing.run(model, {"CLOUDS": [room], destination(model): path})
     with fiona.open(path) as layer:
         assert len(layer) == 1
 
