@@ -95,6 +95,14 @@ class Module:
         """Whether it defines a function or a method, other than properties and special methods."""
         return any(not _is_plain(function) for function in self._functions())
 
+    def defined(self) -> set[str]:
+        """Return the names of the functions, classes and constants at the top of the module."""
+        names = {node.name for node in self.tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+        for node in self.tree.body:
+            targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+            names |= {target.id for target in targets if isinstance(target, ast.Name)}
+        return names
+
     def functions(self) -> Iterator[Function]:
         """Yield the functions and methods."""
         for node in self._functions():
