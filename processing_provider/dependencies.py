@@ -73,7 +73,7 @@ def _how_to_install(packages: list[str]) -> str:
     if others and on_windows:
         steps.append(f"add {', '.join(f'python3-{name}' for name in others)} with the OSGeo4W installer")
     elif others:
-        steps.append(f"get {', '.join(others)} from where QGIS comes from, not by pip")
+        steps.append(f"install {', '.join(others)} from the source of QGIS, not by pip")
     return ", ".join(steps)
 
 

@@ -27,9 +27,9 @@ def test_the_sentence_names_package_interpreter_and_command(without):
 
 
 def test_what_contains_gdal_or_proj_never_comes_from_pip(without, monkeypatch):
-    assert "; get pyproj from where QGIS comes from, not by pip, then" in without("pyproj", managed=False)
+    assert "; install pyproj from the source of QGIS, not by pip, then" in without("pyproj", managed=False)
     sentence = without("rasterio", "laspy", managed=False)
-    assert "pip install --user laspy`, get rasterio, pyproj from" in sentence
+    assert "pip install --user laspy`, install rasterio, pyproj from" in sentence
 
     monkeypatch.setattr(sys, "platform", "win32")
     sentence = without(managed=False)
