@@ -98,10 +98,9 @@ class Module:
     def defined(self) -> set[str]:
         """Return the names of the functions, classes and constants at the top of the module."""
         names = {node.name for node in self.tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-        for node in self.tree.body:
-            targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
-            names |= {target.id for target in targets if isinstance(target, ast.Name)}
-        return names
+        assigned = [node for node in self.tree.body if isinstance(node, (ast.Assign, ast.AnnAssign))]
+        targets = [child for node in assigned for child in ast.walk(node) if isinstance(child, ast.Name)]
+        return names | {name.id for name in targets if isinstance(name.ctx, ast.Store)}
 
     def functions(self) -> Iterator[Function]:
         """Yield the functions and methods."""
