@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.source import Chunk, Source, no_points, truncated, unreadable
-from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
@@ -48,17 +48,29 @@ def test_a_reader_without_further_attributes_need_not_name_them():
         column.path = Path("east.laz")
 
 
-@pytest.mark.parametrize("kind", WRITERS)
-def test_an_open_file_can_be_sent_to_another_process_and_read_there_twice(tmp_path, kind):
-    path = tmp_path / f"scan.{kind}"
-    WRITERS[kind](path, np.array(POINTS))
+@pytest.fixture(params=WRITERS)
+def source(request, tmp_path):
+    path = tmp_path / f"scan.{request.param}"
+    WRITERS[request.param](path, np.array(POINTS))
     (source,) = open_cloud([path]).sources
+    return source
+
+
+def test_an_open_file_can_be_sent_to_another_process_and_read_there_twice(source):
     sent = pickle.loads(pickle.dumps(source))
 
     for _ in range(2):
         chunks = list(sent.chunks(np.zeros(3), Progress(), 2))
         assert [len(chunk.xyz) for chunk in chunks] == [2, 1]
         np.testing.assert_allclose(np.concatenate([chunk.xyz for chunk in chunks]), POINTS)
+
+
+def test_cancelling_stops_between_chunks(source):
+    seen = []
+    progress = Progress(is_cancelled=lambda: len(seen) >= 2)
+    with pytest.raises(CancelledError):
+        seen.extend(source.chunks(np.zeros(3), progress, 1))
+    assert len(seen) == 2
 
 
 @pytest.mark.parametrize(

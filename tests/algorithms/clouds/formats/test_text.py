@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.text import TextSource
-from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 
 DATA = Path(__file__).parents[5] / "shared" / "data"
@@ -207,16 +207,6 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, content, sente
         read(path)
     assert str(path) in str(error.value)
     assert "\n" not in str(error.value)
-
-
-def test_cancelling_stops_between_chunks(tmp_path):
-    path = write(tmp_path, "1 2 3\n" * 10)
-    seen = []
-    progress = Progress(is_cancelled=lambda: len(seen) >= 2)
-    with pytest.raises(CancelledError):
-        for chunk in TextSource.open(path).chunks(np.zeros(3), progress, 2):
-            seen.append(chunk)  # noqa: PERF402
-    assert len(seen) == 2
 
 
 def test_progress_ends_at_one(tmp_path):
