@@ -108,7 +108,9 @@ def test_faces_as_lines_have_no_intersection_over_union(run, layers, write, tmp_
     assert result["CORRECTNESS"] > 0.9
 
 
-def test_nothing_found_has_no_offset_and_is_told(run, layers, write, tmp_path, feedback):
+def test_a_plan_with_nothing_of_the_reference_has_no_offset_and_the_log_says_so(
+    run, layers, write, tmp_path, feedback
+):
     away = write("away.gpkg", [translate(wall, 500, 0) for wall in WALLS])
     result = run(
         "compareplan", feedback, WALLS=layers["WALLS"], REFERENCE=away, ERRORS=str(tmp_path / "e.gpkg")

@@ -49,7 +49,7 @@ def test_warnings_reach_the_log_even_if_no_wall_is_found(run, room, tmp_path, fe
     assert [warning for warning in feedback.warnings if warning.startswith("SPACING 0.12 m is wider")]
 
 
-def test_the_report_tells_what_the_run_was_given(made):
+def test_the_report_lists_the_parameters_of_the_run(made):
     page = Path(made["REPORT"]).read_text(encoding="utf-8")
     assert "Site plan" in page
     assert "DOOR_WIDTH" in page

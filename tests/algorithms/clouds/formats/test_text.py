@@ -79,7 +79,7 @@ def test_encodings(tmp_path, encoding):
         "class,nx,ny,nz,x,y,z\nwall,0,0,1,1.5,2.25,3\n",
     ],
 )
-def test_a_header_tells_the_columns(tmp_path, text):
+def test_a_header_names_the_columns(tmp_path, text):
     xyz, intensity, rgb = read(write(tmp_path, text))
     np.testing.assert_array_equal(xyz, [[1.5, 2.25, 3]])
     assert intensity is None
@@ -94,7 +94,7 @@ def test_cloudcompare_header_with_colour_and_intensity(tmp_path):
     np.testing.assert_array_equal(rgb, [[65535, 0, 257]])
 
 
-def test_columns_without_a_header_are_told_by_their_number(tmp_path):
+def test_columns_without_a_header_are_recognised_by_their_number(tmp_path):
     four = read(write(tmp_path, "1.5 2.25 3 900\n"))
     six = read(write(tmp_path, "1.5 2.25 3 255 0 1\n"))
     seven = read(write(tmp_path, "1.5 2.25 3 900 255 0 1\n"))

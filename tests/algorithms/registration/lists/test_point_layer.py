@@ -49,7 +49,7 @@ def test_numbers_are_names_too(tmp_path, kind, values, names):
     assert read_point_list(write_layer(tmp_path / "a.shp", XYZ, {"PT_NR": kind}, rows)).names == names
 
 
-def test_a_field_that_names_every_point_goes_before_one_that_does_not():
+def test_a_field_that_names_every_point_is_preferred_to_one_that_does_not():
     features = [((1, 2, 3), {"name": None, "id": 4}), ((1, 2, 3), {"name": "a", "id": 5})]
     assert points_of_features("list", "the layer", features, "").names == ("4", "5")
 

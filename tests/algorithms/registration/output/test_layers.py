@@ -78,7 +78,7 @@ def test_scans_that_are_not_registered_have_no_residuals(tmp_path):
 
 
 @layers
-def test_control_points_tell_origin_precision_and_who_saw_them(tmp_path, name):
+def test_control_points_have_origin_precision_and_the_scans_that_saw_them(tmp_path, name):
     points = (
         ControlPoint("P1", POSITION, np.zeros((3, 3)), "surveyed", ("S01", "S02")),
         ControlPoint("P2", POSITION, np.zeros((3, 3)), "surveyed", ()),

@@ -73,7 +73,7 @@ def test_every_scan_is_summed_up_in_a_row(report):
     assert f"S99 ambiguous 8 {MISSING} {MISSING}" in text
 
 
-def test_settings_and_the_tolerance_that_was_used_are_told(report):
+def test_settings_and_the_tolerance_that_was_used_are_listed(report):
     text = plain(report(registration(1)))
 
     for part in (
@@ -106,7 +106,7 @@ def test_residuals_are_in_millimetres_and_tests_beside_them(report):
     assert "T0 0.60 0.70 0.65 0.42 0.83 -0.83 0.37 0.74 -0.74 16.0 15.0 15.5" in text
 
 
-def test_a_rejected_target_is_marked_and_told(report):
+def test_a_rejected_target_is_marked_and_explained(report):
     text = report(of_one_scan(*THREE, rejected("T9", "P9", CORNER + (3, 3, 3), (0.3, 0.0, 0.0))))
 
     assert '<tr class="marked"><td class="w">T9</td>' in text
@@ -148,7 +148,7 @@ def test_parameters_have_standard_deviations_and_correlations(report):
     assert "rotation z 0.00 0.00 0.00 0.00 0.00" in text
 
 
-def test_warnings_and_the_advice_about_the_scale_are_told(report):
+def test_warnings_and_the_advice_about_the_scale_are_shown(report):
     advice = ScaleTest(120.0, 20.0, True, "The scale differs from 1.")
     result = of_one_scan(*THREE, scale_test=advice, warnings=("T7 is weak.",))
     text = plain(report(replace(result, warnings=("Two points are one.",))))

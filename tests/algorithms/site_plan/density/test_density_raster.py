@@ -1,4 +1,4 @@
-"""The density raster goes out and comes back; foreign rasters are taken or refused."""
+"""The density raster is written and read back; rasters of other origin are used or refused."""
 
 import numpy as np
 import pytest
@@ -82,7 +82,7 @@ def test_a_single_band_is_a_density_without_heights(tmp_path):
         ({"crs": CRS.from_epsg(2225)}, "metres"),
     ],
 )
-def test_a_grid_that_cannot_serve_is_refused(tmp_path, profile, word):
+def test_an_unsuitable_grid_is_refused(tmp_path, profile, word):
     with pytest.raises(InputError, match=rf"bad\.tif.*{word}"):
         read_density(write(tmp_path / "bad.tif", np.eye(4), **profile))
 

@@ -45,7 +45,7 @@ def test_the_page_shows_plan_fates_thresholds_and_density_and_stands_alone(page)
     assert not re.search(r"(?i)https?:|<script|<link|src=\"(?!data:)|url\(|@import", page)
 
 
-def test_counts_values_and_their_origin_are_told(page, plan):
+def test_counts_values_and_their_origin_are_listed(page, plan):
     text = plain(page)
     assert "A warning of the cloud." in text
     assert "smaller than MIN_AREA 0.1 m²: 5 of 20 regions" in text
