@@ -22,7 +22,7 @@ def atomic_output(path: Union[str, Path]) -> Iterator[Path]:
     """Yield a temporary path to write to, and move what was written to `path` at the end.
 
     Everything that is written next to the temporary path is moved along, such as the sidecars
-    of a shapefile. If the body raises, an older output stays as it was.
+    of a shapefile. If the body raises, an older output is not changed.
 
     Parameters
     ----------

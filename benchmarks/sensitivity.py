@@ -1,21 +1,21 @@
 """What each constant of the settings costs if it is 30 % smaller or larger, one at a time.
 
 make sensitivity, or: python3 -m ichnograph.benchmarks.sensitivity [site_plan facade registration]
-    [--change 0.3] [--match faces] [--angular-step 0.5]
+    [--change 0.3] [--match faces] [--scenes columns rooms] [--clouds FOLDER --references FOLDER]
 
 Scores are shares between 0 and 1: of the site plan, the mean of completeness and correctness at 5 cm and the
 share of rooms with the right area; of facades, the share of details found, less those invented, and of sizes
 within 1 cm; of the registration, the share of scenes with the right answer. Printed are the changes of the
 mean score in percent, and the largest change on a single scene. "no effect" means that every result is the
 same to the last digit; such a constant is a candidate for deletion, unless it guards against what no scene
-holds.
+holds. All scenes take hours: choose some. Real clouds join the site plan where drawn plans of them are given.
 """
 
 import argparse
 import os
 import pickle
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
@@ -26,6 +26,12 @@ from typing import Any, Callable, Optional
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import IchnographError
+from ichnograph.algorithms.evaluation.drawn_plan import (
+    DrawnPlan,
+    compare_rooms,
+    compare_with_drawn,
+    read_drawn_plan,
+)
 from ichnograph.algorithms.evaluation.plan import compare_plan
 from ichnograph.algorithms.facade.measurement import measure_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
@@ -47,7 +53,6 @@ from .registration import NOISE, registered, verdict
 TOLERANCE = 0.05
 ROOM_ERROR = 0.02
 SIZE_ERROR = 0.01
-SPACING = 0.02
 LAYOUTS = ((12, 8, 5), (30, 12, 6), (50, 15, 8))
 TRIALS = 15
 PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
@@ -87,10 +92,26 @@ def _plan(path: Path, truth: Any, seen: Any, settings: SitePlanSettings) -> Outc
     return Outcome(float(np.mean(scores)), b"".join(drawn))
 
 
-def facade_scene(name: str) -> Scene:
+def real_scene(path: Path, reference: Path) -> Scene:
+    """Return a real cloud for site plans, and the drawn plan that it is compared with."""
+    return partial(_real_plan, path, read_drawn_plan(reference))
+
+
+def _real_plan(path: Path, drawn: DrawnPlan, settings: SitePlanSettings) -> Outcome:
+    plan = make_site_plan(open_cloud([path]), settings)
+    outlines = [wall.outline for wall in plan.walls]
+    agreement = compare_with_drawn(outlines, drawn, TOLERANCE)
+    scores = [agreement.completeness, agreement.correctness]
+    if drawn.rooms:
+        rooms = compare_rooms([room.outline for room in plan.rooms or ()], drawn)
+        scores.append(max(rooms.found - rooms.invented, 0) / len(drawn.rooms))
+    return Outcome(float(np.mean(scores)), b"".join(outline.wkb for outline in outlines))
+
+
+def facade_scene(name: str, spacing: float) -> Scene:
     """Return a scene for facades."""
     scene = FACADES[name](0).moved(*PLACE)
-    return partial(_elevation, scene, points_of(scene.scan(SPACING, seed=0)))
+    return partial(_elevation, scene, points_of(scene.scan(spacing, seed=0)))
 
 
 def _elevation(scene: Any, points: Any, settings: FacadeSettings) -> Outcome:
@@ -123,19 +144,31 @@ class Chapter:
     scenes: dict[str, Scene]
 
 
-def chapters(names: Sequence[str], folder: Path, angular_step: float) -> Iterator[tuple[str, Chapter]]:
+def chapters(arguments: argparse.Namespace, folder: Path) -> Iterator[tuple[str, Chapter]]:
     """Yield the chosen chapters with their scenes."""
-    if "site_plan" in names:
+
+    def chosen(names: Iterable[str]) -> list[str]:
+        return [name for name in names if not arguments.scenes or name in arguments.scenes]
+
+    if "site_plan" in arguments.chapters:
         settings = SitePlanSettings(with_axes=True, with_rooms=True)
-        yield (
-            "site_plan",
-            Chapter(settings, {name: plan_scene(name, folder, angular_step) for name in SCENES}),
-        )
-    if "facade" in names:
-        yield "facade", Chapter(FacadeSettings(), {name: facade_scene(name) for name in FACADES})
-    if "registration" in names:
-        scenes = {"{}/{}/{}".format(*layout): target_scenes(layout) for layout in LAYOUTS}
-        yield "registration", Chapter(RegistrationSettings(sigma=NOISE), scenes)
+        scenes = {name: plan_scene(name, folder, arguments.angular_step) for name in chosen(SCENES)}
+        yield "site_plan", Chapter(settings, {**scenes, **_real_scenes(arguments)})
+    if "facade" in arguments.chapters:
+        facades = {name: facade_scene(name, arguments.spacing) for name in chosen(FACADES)}
+        yield "facade", Chapter(FacadeSettings(), facades)
+    if "registration" in arguments.chapters:
+        layouts = {"{}/{}/{}".format(*layout): target_scenes(layout) for layout in LAYOUTS}
+        yield "registration", Chapter(RegistrationSettings(sigma=NOISE), layouts)
+
+
+def _real_scenes(arguments: argparse.Namespace) -> dict[str, Scene]:
+    """Return the clouds of a folder that have a drawn plan of their name."""
+    if not (arguments.clouds and arguments.references):
+        return {}
+    paths = sorted(arguments.clouds.glob("*.la[sz]"))
+    pairs = ((path, arguments.references / f"{path.stem}.geojson") for path in paths)
+    return {path.stem: real_scene(path, reference) for path, reference in pairs if reference.exists()}
 
 
 def varied(value: Any, factor: float) -> Optional[Any]:
@@ -185,10 +218,14 @@ def main() -> None:
     parser.add_argument("chapters", nargs="*", default=["site_plan", "facade", "registration"])
     parser.add_argument("--change", type=float, default=0.3, help="share by which constants are varied")
     parser.add_argument("--match", default="", help="only constants whose path holds this")
+    parser.add_argument("--scenes", nargs="+", help="names of simulated scenes; all if not given")
     parser.add_argument("--angular-step", type=float, default=0.5, help="of the scanner, degrees")
+    parser.add_argument("--spacing", type=float, default=0.02, help="of the points of facades, metres")
+    parser.add_argument("--clouds", type=Path, help="folder of real clouds")
+    parser.add_argument("--references", type=Path, help="folder of drawn plans, <cloud>.geojson")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(os.cpu_count()) as pool:
-        for name, chapter in chapters(arguments.chapters, Path(folder), arguments.angular_step):
+        for name, chapter in chapters(arguments, Path(folder)):
             base = {scene: outcome(run, chapter.settings) for scene, run in chapter.scenes.items()}
             scores = ", ".join(f"{scene} {found.score:.3f}" for scene, found in base.items())
             print(f"\n{name}: {scores}\n", flush=True)

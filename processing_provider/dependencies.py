@@ -25,6 +25,10 @@ NOT_IN_DEBIAN = ("laspy", "lazrs", "pye57", "pyquaternion")
 """Packages that must come from PyPI on Debian and Ubuntu too."""
 
 
+WITH_QGIS = ("rasterio", "fiona", "pyproj", "shapely")
+"""Packages whose wheels bring another GDAL, PROJ or GEOS than that of QGIS."""
+
+
 def missing_modules() -> list[str]:
     """Return the modules that the interpreter of QGIS cannot find."""
     return lacking(PYPI_NAMES)
@@ -36,12 +40,11 @@ def lacking(modules: Iterable[str]) -> list[str]:
 
 
 def explain_missing(modules: Iterable[str]) -> str:
-    """Return one sentence: which packages are missing from which Python, and the command to install them."""
+    """Return one sentence: which packages are missing from which Python, and how to install them."""
     packages = [PYPI_NAMES.get(module, module) for module in modules]
-    where = " in the OSGeo4W Shell" if sys.platform == "win32" else ""
     return (
-        f"The Python {_version()} of QGIS lacks {', '.join(packages)}; run "
-        f"`{_install_command(packages)}`{where}, then start QGIS again."
+        f"The Python {_version()} of QGIS lacks {', '.join(packages)}; {_how_to_install(packages)}, "
+        "then start QGIS again."
     )
 
 
@@ -57,9 +60,24 @@ def _version() -> str:
     return "{}.{}".format(*sys.version_info)
 
 
-def _install_command(packages: list[str]) -> str:
-    if not _is_managed_by_distribution():
-        return f"{_interpreter()} -m pip install --user {' '.join(packages)}"
+def _how_to_install(packages: list[str]) -> str:
+    if _is_managed_by_distribution():
+        return f"run `{_command_of_debian(packages)}`"
+    from_pip = [package for package in packages if package not in WITH_QGIS]
+    others = [package for package in packages if package in WITH_QGIS]
+    on_windows = sys.platform == "win32"
+    steps = []
+    if from_pip:
+        where = " in the OSGeo4W Shell" if on_windows else ""
+        steps.append(f"run `{_interpreter()} -m pip install --user {' '.join(from_pip)}`{where}")
+    if others and on_windows:
+        steps.append(f"add {', '.join(f'python3-{name}' for name in others)} with the OSGeo4W installer")
+    elif others:
+        steps.append(f"install {', '.join(others)} from the source of QGIS, not by pip")
+    return ", ".join(steps)
+
+
+def _command_of_debian(packages: list[str]) -> str:
     from_apt = [f"python3-{package.replace('scikit-image', 'skimage')}" for package in packages]
     from_apt = [name for name in from_apt if name[len("python3-") :] not in NOT_IN_DEBIAN]
     from_pip = [package for package in packages if package in NOT_IN_DEBIAN]

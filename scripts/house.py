@@ -95,6 +95,13 @@ class Module:
         """Whether it defines a function or a method, other than properties and special methods."""
         return any(not _is_plain(function) for function in self._functions())
 
+    def defined(self) -> set[str]:
+        """Return the names of the functions, classes and constants at the top of the module."""
+        names = {node.name for node in self.tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+        assigned = [node for node in self.tree.body if isinstance(node, (ast.Assign, ast.AnnAssign))]
+        targets = [child for node in assigned for child in ast.walk(node) if isinstance(child, ast.Name)]
+        return names | {name.id for name in targets if isinstance(name.ctx, ast.Store)}
+
     def functions(self) -> Iterator[Function]:
         """Yield the functions and methods."""
         for node in self._functions():

@@ -86,11 +86,11 @@ def cut_boundary(shape: BaseGeometry, step_m: float) -> Pieces:
     along = np.concatenate([np.diff(line, axis=0) for line in corners])
     number = np.repeat(np.arange(len(corners)), [len(line) - 1 for line in corners])
     count = np.ceil(np.hypot(*along.T) / step_m).astype(int)
-    place = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    step = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     starts, along, number, count = (
         np.repeat(array, count, axis=0) for array in (starts, along, number, count)
     )
-    first, last = (place / count)[:, None], ((place + 1) / count)[:, None]
+    first, last = (step / count)[:, None], ((step + 1) / count)[:, None]
     return Pieces(starts + along * first, starts + along * last, number)
 
 

@@ -70,12 +70,14 @@ def outlines_of(
     """
     crs = parse_layer_wkt(wkt, source)
     polygons, lines, repaired = [], [], 0
-    for place, data in enumerate(geometries, start=1):
+    for number, data in enumerate(geometries, start=1):
         shape = wkb.loads(bytes(data)) if data else None
         if shape is None or shape.is_empty:
             continue
         if not np.isfinite(shape.length):
-            raise InputError(f"Feature {place} of {source} has a coordinate that is not a number; remove it.")
+            raise InputError(
+                f"Feature {number} of {source} has a coordinate that is not a number; remove it."
+            )
         if not shape.is_valid:
             shape, repaired = make_valid(shape), repaired + 1
         parts = _parts(shape)

@@ -4,6 +4,7 @@ Planes are found first (`planes`), then regions of one colour on the main plane 
 of all details (`outlines`), and the results are written (`output`). After Aitelkadi, Tahiri, Simonetto,
 Sebari and Boulaassal (2014).
 
-Public names: `measurement.measure_facade`, `points.read_points`, `settings.FacadeSettings`, and the results
-in `elevation`: `Elevation`, `Detail`, `Frame`, `Points`, `Segmentation`.
+Public names: `measurement.measure_facade`, `points.read_points`, `settings.FacadeSettings`,
+`elevation.Elevation`, `elevation.Detail`, `elevation.Frame`, `elevation.Points`, `elevation.Segmentation`;
+and the writers of `output`.
 """

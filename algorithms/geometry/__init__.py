@@ -1,9 +1,10 @@
 """Geometry in the plane, and statistics, that chapters share; it imports no chapter.
 
-Public names, by module
-    curves: Line, Arc, Curve, line_through. circles: fits of circles and arcs. azimuths: of lines.
-    robust: standard deviations and weights that gross errors do not move.
-    polygons: sound polygons of rings that cross. triangulation: Mesh, triangulate, of points.
-    outline_triangles: OutlineMesh, triangulate_outlines, of walls. linked_parts: label_linked.
-    motion: Motion, of points in space.
+Fits of circles and arcs are in `circles`; standard deviations and weights that gross errors do not move are
+in `robust`.
+
+Public names: `curves.Line`, `curves.Arc`, `curves.Curve`, `curves.line_through`, `triangulation.Mesh`,
+`triangulation.triangulate`, `outline_triangles.OutlineMesh`, `outline_triangles.triangulate_outlines`,
+`linked_parts.label_linked`, `motion.Motion`; and the functions of `azimuths`, `circles`, `polygons` and
+`robust`.
 """

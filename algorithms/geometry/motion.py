@@ -40,10 +40,10 @@ class Motion:
         rotation = linear / np.cbrt(np.linalg.det(linear))
         return cls(linear, rotation, origin, offset, moved - offset)
 
-    def places(self, xyz: np.ndarray) -> np.ndarray:
-        """Return where points relative to `origin` come to lie, relative to `offset`; shape (n, 3)."""
+    def positions(self, xyz: np.ndarray) -> np.ndarray:
+        """Return the moved points, given relative to `origin`, relative to `offset`; shape (n, 3)."""
         return product(xyz, self.linear) + self.shift
 
     def directions(self, normals: np.ndarray) -> np.ndarray:
-        """Return turned vectors, shape (n, 3)."""
+        """Return rotated vectors, shape (n, 3)."""
         return product(normals, self.rotation)

@@ -42,7 +42,7 @@ ATTRIBUTES = re.compile(
     r' clip-path="[^"]*"| transform="rotate\(-?0 [^"]*"'
     r"|font(-size)?: 11px( 'DejaVu Sans')?; |font-family: 'DejaVu Sans'; |(?<=base64,)\s+"
 )
-"""What it does not need within a tag: clips, turns by nothing, and the usual font."""
+"""What it does not need within a tag: clips, rotations by 0, and the usual font."""
 
 
 @contextmanager

@@ -17,12 +17,12 @@ class ComparePlanAlgorithm(Algorithm):
     key = "compareplan"
     title = "Compare a plan with a reference"
     chapter = "Site plan"
-    summary = "Measures how complete, correct and accurate the walls of a plan are, with a reference."
+    summary = "Measures how complete, correct and accurate a plan is, compared with a reference."
     about = (
-        "The boundaries of both layers are compared every 2 cm. Completeness is the share of the reference "
-        "that the plan has within the tolerance. Correctness is the share of the plan that the reference "
-        "has within the tolerance. The offsets are distances from the reference to the plan, where the "
-        "plan has the reference."
+        "The boundaries of both layers are compared every 2 cm. Completeness is the share of the reference's "
+        "boundary with a boundary of the plan within the tolerance. Correctness is the share of the plan's "
+        "boundary with one of the reference within the tolerance. The offsets are the distances of the "
+        "two, where the reference was found."
     )
     words = (
         "site plan",

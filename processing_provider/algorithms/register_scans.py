@@ -126,20 +126,19 @@ def _log(registration: "Registration", log: Log) -> None:
     log.warn(registration.warnings)
     log.info(f"Tolerance of distances: {1000 * registration.tolerance:.1f} mm.")
     for scan in registration.scans:
-        if scan.registered:
-            log.info(_line(scan))
-        else:
+        if scan.test is None:
             log.warn([f"{scan.name} is not registered ({scan.status}): {scan.reason}"])
+        else:
+            log.info(_line(scan, scan.test.sigma0))
         log.warn(scan.warnings)
 
 
-def _line(scan: "ScanRegistration") -> str:
+def _line(scan: "ScanRegistration", sigma0: float) -> str:
     """Return what the log says of a registered scan."""
-    assert scan.test is not None
     used = [item for item in scan.correspondences if item.used]
     longest = 1000 * max(item.length for item in used)
     chance = "" if scan.chance is None else f", {scan.chance:.1g} accidental matches expected"
     return (
-        f"{scan.name}: {len(used)} of {scan.targets} targets matched, sigma0 {scan.test.sigma0:.2f}, "
+        f"{scan.name}: {len(used)} of {scan.targets} targets matched, sigma0 {sigma0:.2f}, "
         f"longest residual {longest:.1f} mm{chance}."
     )

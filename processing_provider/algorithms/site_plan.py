@@ -48,7 +48,7 @@ REFINE = Flag(
     "REFINE",
     "Outlines on the wall faces",
     "Moves the outlines from the edges of pixels to the points of the faces, straight or curved, and "
-    "measures thickness, radius and coverage. No gives the outlines of the paper.",
+    "measures thickness, radius and coverage. If off, outlines follow pixels, as in the paper.",
     default=True,
     advanced=False,
 )

@@ -1,5 +1,8 @@
 """The parameters and destinations of the algorithms.
 
-Kinds: `parameter` (`Number`, `Choice`, `Flag`, `ReferenceSystem`), `files`, `point_lists`, `outlines`, and
-`destinations` for outputs. The parameters themselves are in modules named after what they are about.
+The kinds of inputs are in `parameter`, `files`, `point_lists` and `outlines`, those of outputs in
+`destinations`. The parameters themselves are in modules named after what they are about.
+
+Public names: `parameter.Number`, `parameter.Choice`, `parameter.Flag`, `parameter.ReferenceSystem`; and the
+lists of parameters in the other modules.
 """

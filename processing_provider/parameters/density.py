@@ -38,7 +38,7 @@ HEIGHT_PARAMETERS = (
     Choice(
         "HEIGHTS",
         "Heights are counted from",
-        "What ZMIN and ZMAX are counted from. The local ground, on a slope.",
+        "What ZMIN and ZMAX are counted from. Choose the local ground on a slope.",
         options=("zero of the coordinates", "local ground"),
         advanced=True,
     ),

@@ -50,7 +50,7 @@ WALL_PARAMETERS = (
         "CLOSING",
         "Widest gap to close",
         "Joins the two faces of a wall and bridges interruptions. If not set, it is 0.8 m where the heights "
-        "show the ground between walls, so that doors stay open, and 0.4 m where they do not.",
+        "show the ground between walls, so that doors are kept open, and 0.4 m where they do not.",
         unit="m",
         minimum=0,
         maximum=100,

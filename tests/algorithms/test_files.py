@@ -110,7 +110,7 @@ def test_a_folder_in_the_place_of_the_output_is_an_input_error(tmp_path):
         temporary.write_text("new")
 
 
-def test_a_new_folder_goes_if_what_should_fill_it_fails(tmp_path):
+def test_a_new_folder_is_removed_if_what_should_fill_it_fails(tmp_path):
     with pytest.raises(CancelledError), new_folder(tmp_path / "clouds"):
         raise CancelledError
     assert not (tmp_path / "clouds").exists()
@@ -119,7 +119,7 @@ def test_a_new_folder_goes_if_what_should_fill_it_fails(tmp_path):
     assert (tmp_path / "clouds").is_dir()
 
 
-def test_a_folder_that_was_there_stays(tmp_path):
+def test_a_folder_that_existed_is_kept(tmp_path):
     with pytest.raises(CancelledError), new_folder(tmp_path):
         raise CancelledError
     assert tmp_path.is_dir()

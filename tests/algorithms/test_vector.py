@@ -48,7 +48,7 @@ def test_a_failed_write_leaves_the_old_layer_untouched(tmp_path):
     assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == before
 
 
-def test_the_journal_of_an_older_geopackage_goes_with_it(tmp_path):
+def test_the_journal_of_an_older_geopackage_is_removed_with_it(tmp_path):
     for suffix in ("", "-wal", "-shm", "-journal"):
         (tmp_path / f"walls.gpkg{suffix}").write_bytes(b"old")
     write_vector(tmp_path / "walls.gpkg", "Polygon", FIELDS, WALLS, None)

@@ -3,6 +3,7 @@
 import fiona
 import pytest
 from ichnograph.algorithms.vector import write_vector
+from ichnograph.tests.processing_provider.models import build_model, destination, files
 from rasterio.crs import CRS
 from shapely.affinity import translate
 from shapely.geometry import LineString, box, shape
@@ -107,7 +108,9 @@ def test_faces_as_lines_have_no_intersection_over_union(run, layers, write, tmp_
     assert result["CORRECTNESS"] > 0.9
 
 
-def test_nothing_found_has_no_offset_and_is_told(run, layers, write, tmp_path, feedback):
+def test_a_plan_with_nothing_of_the_reference_has_no_offset_and_the_log_says_so(
+    run, layers, write, tmp_path, feedback
+):
     away = write("away.gpkg", [translate(wall, 500, 0) for wall in WALLS])
     result = run(
         "compareplan", feedback, WALLS=layers["WALLS"], REFERENCE=away, ERRORS=str(tmp_path / "e.gpkg")
@@ -141,45 +144,19 @@ def test_what_cannot_be_compared_is_refused(run, layers, write, tmp_path, change
 
 def test_the_walls_may_be_an_output_of_the_same_model(plugin, room, write, tmp_path):
     import processing
-    from qgis.core import (
-        QgsProcessing,
-        QgsProcessingModelAlgorithm,
-        QgsProcessingModelChildAlgorithm,
-        QgsProcessingModelChildParameterSource,
-        QgsProcessingModelOutput,
-        QgsProcessingModelParameter,
-        QgsProcessingParameterMultipleLayers,
-        QgsProcessingParameterVectorLayer,
-    )
+    from qgis.core import QgsProcessingParameterVectorLayer
 
-    source, model = QgsProcessingModelChildParameterSource, QgsProcessingModelAlgorithm("judged", "judged")
-    files = QgsProcessing.SourceType.TypeFile
-    for parameter in (
-        QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", files),
-        QgsProcessingParameterVectorLayer("TRUE", "True walls"),
-    ):
-        model.addModelParameter(parameter, QgsProcessingModelParameter(parameter.name()))
-    report = QgsProcessingModelOutput("report", "report")
-    report.setChildOutputName("REPORT")
-    report.setChildId("compareplan")
-    given = {
-        "siteplan": {"INPUT": source.fromModelParameter("CLOUDS")},
-        "compareplan": {
-            "WALLS": source.fromChildOutput("siteplan", "WALLS"),
-            "REFERENCE": source.fromModelParameter("TRUE"),
+    model = build_model(
+        [files("CLOUDS"), QgsProcessingParameterVectorLayer("TRUE", "True walls")],
+        {
+            "siteplan": {"INPUT": "CLOUDS"},
+            "compareplan": {"WALLS": ("siteplan", "WALLS"), "REFERENCE": "TRUE"},
         },
-    }
-    for name, sources in given.items():
-        child = QgsProcessingModelChildAlgorithm(f"ichnograph:{name}")
-        child.setChildId(name)
-        for parameter, value in sources.items():
-            child.addParameterSources(parameter, [value])
-        child.setModelOutputs({"report": report} if name == "compareplan" else {})
-        model.addChildAlgorithm(child)
-    (destination,) = model.destinationParameterDefinitions()
+        ("compareplan", "REPORT"),
+    )
     true = write("true.gpkg", [box(X + 1, Y + 1, X + 7, Y + 5)])
     page = tmp_path / "report.html"
-    processing.run(model, {"CLOUDS": [room], "TRUE": true, destination.name(): str(page)})
+    processing.run(model, {"CLOUDS": [room], "TRUE": true, destination(model): str(page)})
 
     assert "of the reference is in the plan" in page.read_text(encoding="utf-8")
 

@@ -26,6 +26,17 @@ def test_the_sentence_names_package_interpreter_and_command(without):
     assert "python3 -m pip install --user scikit-image laspy`" in sentence
 
 
+def test_what_contains_gdal_or_proj_never_comes_from_pip(without, monkeypatch):
+    assert "; install pyproj from the source of QGIS, not by pip, then" in without("pyproj", managed=False)
+    sentence = without("rasterio", "laspy", managed=False)
+    assert "pip install --user laspy`, install rasterio, pyproj from" in sentence
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    sentence = without(managed=False)
+    assert "`python -m pip install --user laspy` in the OSGeo4W Shell, add python3-rasterio," in sentence
+    assert "python3-pyproj with the OSGeo4W installer, then start QGIS again." in sentence
+
+
 def test_on_debian_the_distribution_comes_first(without):
     sentence = without("skimage", "lazrs", managed=True)
 

@@ -95,7 +95,7 @@ def test_an_input_is_never_overwritten(refuse, tmp_path):
     assert cloud.read_bytes() == before
 
 
-def test_older_outputs_and_their_styles_stay_if_no_wall_is_found(run, refuse, room, tmp_path):
+def test_older_outputs_and_their_styles_are_kept_if_no_wall_is_found(run, refuse, room, tmp_path):
     outputs = {"DENSITY": "density.tif", "PLAN": "plan.tif", "WALLS": "walls.shp"}
     outputs = {name: str(tmp_path / file) for name, file in outputs.items()}
     run("siteplan", INPUT=room, **outputs)

@@ -4,54 +4,30 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from ichnograph.tests.processing_provider.models import build_model, destination, files
 from ichnograph.tests.processing_provider.room import CORNER
 
 
 @pytest.fixture
 def model(provider):
-    from qgis.core import (
-        QgsProcessing,
-        QgsProcessingModelAlgorithm,
-        QgsProcessingModelChildAlgorithm,
-        QgsProcessingModelChildParameterSource,
-        QgsProcessingModelOutput,
-        QgsProcessingModelParameter,
-        QgsProcessingParameterMultipleLayers,
+    def defaults(name):
+        """Return all numbers: as the designer does, every default is stored."""
+        parameters = provider.algorithm(name).parameterDefinitions()
+        return {item.name(): item.defaultValue() for item in parameters if item.type() == "number"}
+
+    return build_model(
+        [files("CLOUDS")],
+        {
+            "thincloud": {**defaults("thincloud"), "INPUT": "CLOUDS", "SPACING": 0.04},
+            "densityimage": {**defaults("densityimage"), "INPUT": ("thincloud", "OUTPUT")},
+            "extractwalls": {
+                **defaults("extractwalls"),
+                "INPUT": ("densityimage", "DENSITY"),
+                "MIN_HEIGHT": 0.5,
+            },
+        },
+        ("extractwalls", "WALLS"),
     )
-
-    source = QgsProcessingModelChildParameterSource
-    model = QgsProcessingModelAlgorithm("chain", "chain")
-    clouds = QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", QgsProcessing.SourceType.TypeFile)
-    model.addModelParameter(clouds, QgsProcessingModelParameter("CLOUDS"))
-
-    def add(name, given, **settings):
-        child = QgsProcessingModelChildAlgorithm(f"ichnograph:{name}")
-        child.setChildId(name)
-        child.addParameterSources("INPUT", [given])
-        # As the designer does, every default is stored.
-        numbers = [
-            item for item in provider.algorithm(name).parameterDefinitions() if item.type() == "number"
-        ]
-        for item in numbers:
-            value = settings.get(item.name(), item.defaultValue())
-            child.addParameterSources(item.name(), [source.fromStaticValue(value)])
-        return child
-
-    walls = QgsProcessingModelOutput("walls", "walls")
-    walls.setChildOutputName("WALLS")
-    walls.setChildId("extractwalls")
-    last = add("extractwalls", source.fromChildOutput("densityimage", "DENSITY"), MIN_HEIGHT=0.5)
-    last.setModelOutputs({"walls": walls})
-    model.addChildAlgorithm(add("thincloud", source.fromModelParameter("CLOUDS"), SPACING=0.04))
-    model.addChildAlgorithm(add("densityimage", source.fromChildOutput("thincloud", "OUTPUT")))
-    model.addChildAlgorithm(last)
-    return model
-
-
-def destination(model):
-    """Return the name of the model's one output: 3.22 and 3.40 build it differently."""
-    (definition,) = model.destinationParameterDefinitions()
-    return definition.name()
 
 
 def test_a_chain_of_the_algorithms_runs_as_a_model(model, room, tmp_path):
@@ -84,43 +60,17 @@ def test_a_model_that_was_stored_still_runs(model, room, tmp_path):
 def test_scans_are_registered_transformed_and_drawn_in_one_model(provider, room, tmp_path, handed_on):
     import fiona
     import processing
-    from qgis.core import (
-        QgsProcessing,
-        QgsProcessingModelAlgorithm,
-        QgsProcessingModelChildAlgorithm,
-        QgsProcessingModelChildParameterSource,
-        QgsProcessingModelOutput,
-        QgsProcessingModelParameter,
-        QgsProcessingParameterFile,
-        QgsProcessingParameterMultipleLayers,
+    from qgis.core import QgsProcessingParameterFile
+
+    model = build_model(
+        [files("CLOUDS"), QgsProcessingParameterFile("CONTROL", "Control points"), files("TARGETS")],
+        {
+            "registerscans": {"CONTROL": "CONTROL", "TARGETS": "TARGETS"},
+            "transformcloud": {"INPUT": "CLOUDS", "TRANSFORMS": ("registerscans", "TRANSFORMS")},
+            "siteplan": {"INPUT": ("transformcloud", handed_on)},
+        },
+        ("siteplan", "WALLS"),
     )
-
-    source = QgsProcessingModelChildParameterSource
-    model = QgsProcessingModelAlgorithm("field to plan", "field to plan")
-    files = QgsProcessing.SourceType.TypeFile
-    for parameter in (
-        QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", files),
-        QgsProcessingParameterFile("CONTROL", "Control points"),
-        QgsProcessingParameterMultipleLayers("TARGETS", "Targets", files),
-    ):
-        model.addModelParameter(parameter, QgsProcessingModelParameter(parameter.name()))
-
-    def add(name, outputs=None, **sources):
-        child = QgsProcessingModelChildAlgorithm(f"ichnograph:{name}")
-        child.setChildId(name)
-        for parameter, given in sources.items():
-            child.addParameterSources(parameter, [given])
-        child.setModelOutputs(outputs or {})
-        model.addChildAlgorithm(child)
-
-    given = source.fromModelParameter
-    add("registerscans", CONTROL=given("CONTROL"), TARGETS=given("TARGETS"))
-    transforms = source.fromChildOutput("registerscans", "TRANSFORMS")
-    add("transformcloud", INPUT=given("CLOUDS"), TRANSFORMS=transforms)
-    walls = QgsProcessingModelOutput("walls", "walls")
-    walls.setChildOutputName("WALLS")
-    walls.setChildId("siteplan")
-    add("siteplan", {"walls": walls}, INPUT=source.fromChildOutput("transformcloud", handed_on))
     targets, control = field_lists(tmp_path, room)
 
     inputs = {"CLOUDS": [room], "CONTROL": str(control), "TARGETS": [str(targets)]}

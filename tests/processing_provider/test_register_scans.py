@@ -173,7 +173,7 @@ def test_temporary_outputs_are_files_of_their_kind(run, lists):
     assert all(result[name].endswith(ending) for name, ending in endings.items())
 
 
-def test_without_any_registered_scan_all_reasons_are_told_and_nothing_is_written(
+def test_if_no_scan_is_registered_the_error_gives_all_reasons_and_nothing_is_written(
     refuse, lists, outputs, tmp_path
 ):
     (tmp_path / "lists" / "poor.txt").write_text("0 0 0\n5 0 1\n")
@@ -202,7 +202,7 @@ def test_a_value_that_makes_no_sense_is_refused(refuse, lists, outputs, paramete
 
 
 @pytest.mark.parametrize("given", [1, "1"])
-def test_names_serve_when_the_user_says_so(run, scene, lists, outputs, tmp_path, given):
+def test_names_identify_points_if_the_user_chooses_them(run, scene, lists, outputs, tmp_path, given):
     named = [scene.truth[name] or f"new{row}" for row, name in enumerate(scene.targets.names)]
     rows = (f"{name} {x:.4f} {y:.4f} {z:.4f}" for name, (x, y, z) in zip(named, scene.targets.xyz))
     (tmp_path / "lists" / "hall.txt").write_text("\n".join(rows))

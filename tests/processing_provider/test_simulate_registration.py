@@ -46,7 +46,7 @@ def test_the_parameters_reach_the_simulation(run, control, tmp_path):
         assert table(f"{name}.csv", **{name: value}) != plain
 
 
-def test_ambiguous_points_are_told_by_name(run, tmp_path, feedback):
+def test_the_log_names_ambiguous_points(run, tmp_path, feedback):
     corners = [f"C{x}{y}{z} {4 * x} {4 * y} {4 * z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     (tmp_path / "cube.txt").write_text("\n".join(corners), encoding="utf-8")
     result = run(

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import fiona
 import pytest
+from ichnograph.tests.processing_provider.models import build_model, destination, files
 
 FURTHER = {"AXES": "axes.gpkg", "ROOMS": "rooms.gpkg", "REPORT": "plan.html"}
 
@@ -48,7 +49,7 @@ def test_warnings_reach_the_log_even_if_no_wall_is_found(run, room, tmp_path, fe
     assert [warning for warning in feedback.warnings if warning.startswith("SPACING 0.12 m is wider")]
 
 
-def test_the_report_tells_what_the_run_was_given(made):
+def test_the_report_lists_the_parameters_of_the_run(made):
     page = Path(made["REPORT"]).read_text(encoding="utf-8")
     assert "Site plan" in page
     assert "DOOR_WIDTH" in page
@@ -72,31 +73,10 @@ def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, t
 
 def test_rooms_can_be_the_result_of_a_model(provider, room, tmp_path):
     import processing
-    from qgis.core import (
-        QgsProcessing,
-        QgsProcessingModelAlgorithm,
-        QgsProcessingModelChildAlgorithm,
-        QgsProcessingModelChildParameterSource,
-        QgsProcessingModelOutput,
-        QgsProcessingModelParameter,
-        QgsProcessingParameterMultipleLayers,
-    )
 
-    model = QgsProcessingModelAlgorithm("rooms", "rooms")
-    clouds = QgsProcessingParameterMultipleLayers("CLOUDS", "Clouds", QgsProcessing.SourceType.TypeFile)
-    model.addModelParameter(clouds, QgsProcessingModelParameter("CLOUDS"))
-    child = QgsProcessingModelChildAlgorithm("ichnograph:siteplan")
-    child.setChildId("plan")
-    child.addParameterSources("INPUT", [QgsProcessingModelChildParameterSource.fromModelParameter("CLOUDS")])
-    output = QgsProcessingModelOutput("rooms", "rooms")
-    output.setChildOutputName("ROOMS")
-    output.setChildId("plan")
-    child.setModelOutputs({"rooms": output})
-    model.addChildAlgorithm(child)
-    (definition,) = model.destinationParameterDefinitions()
-
+    model = build_model([files("CLOUDS")], {"siteplan": {"INPUT": "CLOUDS"}}, ("siteplan", "ROOMS"))
     path = str(tmp_path / "rooms.gpkg")
-    processing.run(model, {"CLOUDS": [room], definition.name(): path})
+    processing.run(model, {"CLOUDS": [room], destination(model): path})
     with fiona.open(path) as layer:
         assert len(layer) == 1
 

@@ -84,7 +84,7 @@ def test_a_temporary_folder_will_do(transform):
     assert len(laspy.read(f"{result['OUTPUT_FOLDER']}/hall.laz")) == 50
 
 
-def test_what_else_is_in_the_folder_stays(transform, tmp_path):
+def test_other_files_in_the_folder_are_kept(transform, tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "notes.txt").write_text("mine")
     transform("hall.laz")
@@ -92,7 +92,7 @@ def test_what_else_is_in_the_folder_stays(transform, tmp_path):
     assert {file.name for file in (tmp_path / "out").iterdir()} == {"hall.laz", "notes.txt"}
 
 
-def test_a_missing_reference_system_is_told(transform, scans, feedback):
+def test_a_missing_reference_system_is_a_warning(transform, scans, feedback):
     document = {"scans": [{"name": "hall", "matrix": QUARTER_TURN}]}
     (scans / "by_hand.json").write_text(json.dumps(document))
     transform("hall.laz", TRANSFORMS=str(scans / "by_hand.json"))

@@ -3,7 +3,7 @@
 `FORMATS` is the only list of them. Readers, messages, file filters and helps take it from here; a new
 format is one more row. It loads no reader, so that the provider can use it before packages are checked.
 
-Public names: Format, FORMATS, E57_PACKAGES, format_of, readable_formats, writable_formats.
+Public names: `Format`, `FORMATS`, `E57_PACKAGES`, `format_of`, `readable_formats`, `writable_formats`.
 """
 
 from dataclasses import dataclass

@@ -135,7 +135,7 @@ def _write_records(
             points = np.empty(len(records), header.point_format.dtype())
             for name in points.dtype.names:
                 points[name] = records[name]
-            positions = motion.places(coordinates(records, source.scales, source.offsets - motion.origin))
+            positions = motion.positions(coordinates(records, source.scales, source.offsets - motion.origin))
             for axis, name in enumerate("XYZ"):
                 points[name] = stored(positions[:, axis], header.scales[axis], path)
             _rotate_normals(points, header.point_format, motion)
@@ -188,7 +188,7 @@ def _write_points(
     written = 0
     with las_writer(path, header) as writer:
         for chunk in source.chunks(motion.origin, progress, settings.chunk_points):
-            points = las_points(replace(chunk, xyz=motion.places(chunk.xyz)), header, path)
+            points = las_points(replace(chunk, xyz=motion.positions(chunk.xyz)), header, path)
             for name, values in chunk.attributes.items():
                 points.array[names[name]] = values
             _rotate_normals(points.array, header.point_format, motion)
@@ -233,7 +233,7 @@ def _moved_lines(
 ) -> list[str]:
     dialect, columns = layout.dialect, layout.columns
     rows = [dialect.fields(line) for line in lines]
-    positions = motion.places(values[:, :3] - motion.origin) + motion.offset
+    positions = motion.positions(values[:, :3] - motion.origin) + motion.offset
     _replace(rows, columns.xyz, positions, settings.text_decimals, dialect)
     if columns.normals:
         normals = [[dialect.number(row[column].strip(' "')) for column in columns.normals] for row in rows]

@@ -27,7 +27,8 @@ class FitSettings:
     )
     tries: int = judged(30, "Points that are drawn before a sample that does not become a plane is given up.")
     vote: float = judged(
-        0.4, "Part of ds within which points vote for a plane; two planes little more than ds apart stay two."
+        0.4,
+        "Part of ds within which points vote for a plane; two planes little more than ds apart remain two.",
     )
     least_cosine: float = judged(
         0.85, "The normal of a voxel is not sharp: it may differ from that of its plane by up to 32 degrees."

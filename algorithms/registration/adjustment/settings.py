@@ -18,6 +18,12 @@ class OutlierTestSettings:
     power: float = statistical(
         0.80, "Baarda's choice: an error of the minimal detectable size is found in 80 of 100 cases."
     )
+    global_significance: float = statistical(
+        0.05, "Of the global test, both sides together: one sound adjustment in twenty is doubted."
+    )
+    weak_redundancy: float = judged(
+        0.1, "Below this redundancy number, hardly anything of an error shows in the residual."
+    )
     least_redundancy: float = judged(
         1e-9, "A smaller redundancy number is rounding error: no other observation checks the coordinate."
     )

@@ -1,4 +1,4 @@
 """Lists of points: surveyed control points, and targets of a scan.
 
-Public names: `point_list.PointList`, `read_point_list` for files, `points_of_features` for open layers.
+Public names: `point_list.PointList`, `point_list.read_point_list`, `point_list.points_of_features`.
 """

@@ -1,5 +1,6 @@
 """Lists of points as vector layers: points with Z, or with a field of heights."""
 
+import codecs
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -74,8 +75,25 @@ def read_features(source: str, features: Iterable[Feature], wkt: str) -> Rows:
 def _opened(path: Path, layer: Optional[str]) -> Iterator[fiona.Collection]:
     # GDAL does not distinguish a missing file from one that is not a layer.
     path.stat()
-    with _gdal_errors_named(path), fiona.open(path, layer=_chosen(path, layer)) as features:
+    with (
+        _gdal_errors_named(path),
+        fiona.open(path, layer=_chosen(path, layer), encoding=_encoding(path)) as features,
+    ):
         yield features
+
+
+def _encoding(path: Path) -> Optional[str]:
+    """Return the encoding that a shapefile states; None leaves it to GDAL.
+
+    Once QGIS has opened a shapefile, GDAL decodes the texts of none.
+    """
+    stated = path.with_suffix(".cpg")
+    if path.suffix.lower() != ".shp" or not stated.is_file():
+        return None
+    try:
+        return codecs.lookup(stated.read_text(encoding="ascii", errors="replace").strip()).name
+    except LookupError:
+        return None
 
 
 def _chosen(path: Path, layer: Optional[str]) -> str:

@@ -59,7 +59,7 @@ class MatchingTask:
         least : int
             Smallest number of targets of a solution.
         control : ControlPoints, optional
-            In place of those of the task.
+            Instead of those of the task.
         """
         space = search_space(control or self.control, targets, model, self.allowed, self.settings)
         return find_solutions(space, least)

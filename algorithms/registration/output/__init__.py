@@ -1,5 +1,5 @@
 """The files of a registration.
 
-Public names: `transforms.write_transforms`, `read_transforms` and `match_clouds`, `layers.write_residuals`
-and `write_control`, `report.write_report`.
+Public names: `transforms.write_transforms`, `transforms.read_transforms`, `transforms.match_clouds`,
+`layers.write_residuals`, `layers.write_control`, `report.write_report`.
 """

@@ -10,7 +10,7 @@ from ..results import ControlPoint, Registration, ScanRegistration
 from ..settings import Matching, Model, Settings
 from .layers import PLANE_FACTOR, SPACE_FACTOR
 from .report_figures import site_plan
-from .report_scan import LEVEL, TAU, WEAK, scan_content, verdict
+from .report_scan import TAU, scan_content, verdict
 
 TEMPLATE = Path(__file__).parent / "templates" / "registration.html"
 
@@ -25,33 +25,7 @@ MODELS = {
 MOST_RIVALS = 12
 """Solutions that are listed of a scan that has several."""
 
-TESTS = OutlierTestSettings()
-
 ALPHA_SIGN, DELTA = "\N{GREEK SMALL LETTER ALPHA}", "\N{GREEK SMALL LETTER DELTA}"
-
-LEGEND = {
-    "v": "Residual: the transformed target minus its control point, along x, y and z of the control points, "
-    "and its length.",
-    "sigma0": "Standard deviation of unit weight a posteriori over a priori: 1 if the residuals are as large "
-    "as SIGMA says.",
-    "Probability": "Of the chi-square test: how often v'Pv is as large or larger if the a priori standard "
-    f"deviations hold. The verdict is on a level of {100 * LEVEL:g} %, both sides together.",
-    "r": "Redundancy number, 0 to 1: the part of an error of a coordinate that its residual shows.",
-    "w": "Baarda's normalized residual, by the a priori standard deviation; suspected beyond "
-    f"{TESTS.critical_w:.2f} ({ALPHA_SIGN} = {TESTS.significance:g}).",
-    TAU: "Pope's studentized residual, by the a posteriori standard deviation of the scan; its limit "
-    f"({ALPHA_SIGN} = {TESTS.significance:g}) depends on the redundancy.",
-    "MDB": "Minimal detectable bias: the smallest error of a coordinate that the w-test finds with a power "
-    f"of {100 * TESTS.power:g} % ({DELTA}0 = {TESTS.noncentrality:.2f}).",
-    "95 % ellipse, ellipsoid": f"Semi-axes are {PLANE_FACTOR:.3f} (plane) and {SPACE_FACTOR:.3f} (space) "
-    "standard deviations.",
-    "Accidental matches": "How many are expected of as many targets, if the scan had nothing to do with the "
-    "control points.",
-    "Round": "1 if surveyed points sufficed to register the scan, 2 if it needed points appended in round 1, "
-    "and so on.",
-    "Scale": "What the targets say about the scale, in parts per million from 1, whether or not it was "
-    "estimated.",
-}
 
 
 def write_report(registration: Registration, path: Path) -> None:
@@ -63,6 +37,7 @@ def write_report(registration: Registration, path: Path) -> None:
         If the file cannot be written.
     """
     refused = [scan for scan in registration.scans if not scan.registered]
+    tests = registration.settings.adjustment.tests
     plan, plan_caption = site_plan(registration)
     write_page(
         path,
@@ -78,19 +53,48 @@ def write_report(registration: Registration, path: Path) -> None:
         plan=plan,
         plan_caption=plan_caption,
         registered_scans=[scan_content(scan, registration) for scan in registration.registered],
-        weak=WEAK,
-        critical_w=TESTS.critical_w,
+        weak=tests.weak_redundancy,
+        critical_w=tests.critical_w,
         control=_control(registration.points),
-        legend=LEGEND,
+        legend=_legend(tests),
     )
+
+
+def _legend(tests: OutlierTestSettings) -> dict[str, str]:
+    """Return the columns of the tables and what they mean."""
+    return {
+        "v": "Residual: the transformed target minus its control point, along x, y and z of the control "
+        "points, and its length.",
+        "sigma0": "Standard deviation of unit weight a posteriori over a priori: 1 if the residuals are as "
+        "large as SIGMA says.",
+        "Probability": "Of the chi-square test: how often v'Pv is as large or larger if the a priori "
+        f"standard deviations hold. The verdict is on a level of {100 * tests.global_significance:g} %, both "
+        "sides together.",
+        "r": "Redundancy number, 0 to 1: the part of an error of a coordinate that its residual shows.",
+        "w": "Baarda's normalized residual, by the a priori standard deviation; suspected beyond "
+        f"{tests.critical_w:.2f} ({ALPHA_SIGN} = {tests.significance:g}).",
+        TAU: "Pope's studentized residual, by the a posteriori standard deviation of the scan; its limit "
+        f"({ALPHA_SIGN} = {tests.significance:g}) depends on the redundancy.",
+        "MDB": "Minimal detectable bias: the smallest error of a coordinate that the w-test finds with a "
+        f"power of {100 * tests.power:g} % ({DELTA}0 = {tests.noncentrality:.2f}).",
+        "95 % ellipse, ellipsoid": f"Semi-axes are {PLANE_FACTOR:.3f} (plane) and {SPACE_FACTOR:.3f} (space) "
+        "standard deviations.",
+        "Accidental matches": "How many are expected of as many targets, if the scan had nothing to do with "
+        "the control points.",
+        "Round": "1 if surveyed points sufficed to register the scan, 2 if it needed points appended in "
+        "round 1, and so on.",
+        "Scale": "What the targets say about the scale, in parts per million from 1, whether or not it was "
+        "estimated.",
+    }
 
 
 def _result(registration: Registration) -> str:
     done, scans = len(registration.registered), len(registration.scans)
     longest = 1000 * registration.max_residual
+    tests = registration.settings.adjustment.tests
     return (
         f"{done} of {scans} scans {'is' if done == 1 else 'are'} registered; the longest residual is "
-        f"{longest:.1f} mm. Global test of all scans together: {verdict(registration.test)}"
+        f"{longest:.1f} mm. Global test of all scans together: {verdict(registration.test, tests)}"
     )
 
 

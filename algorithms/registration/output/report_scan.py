@@ -12,14 +12,6 @@ from ..results import GlobalTest, Registration, ScanRegistration
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
 
-CRITICAL_W = OutlierTestSettings().critical_w
-
-LEVEL = 0.05
-"""Of the global test, both sides together."""
-
-WEAK = 0.1
-"""Below this redundancy number, hardly anything of an error shows in the residual."""
-
 TAU = "\N{GREEK SMALL LETTER TAU}"
 
 UNITS = {"shift": ("m", 4), "rotation": ("\N{DEGREE SIGN}", 6), "scale": ("", 8)}
@@ -36,14 +28,15 @@ def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str
     """Return all that the template shows of a scan that was registered."""
     if scan.test is None or scan.correlations is None:
         raise ValueError(f"{scan.name} is not registered.")
-    limit = critical_tau(scan.test.redundancy)
+    tests = registration.settings.adjustment.tests
+    limit = critical_tau(scan.test.redundancy, tests)
     plan, plan_caption = scan_plan(scan, registration)
     components, lengths = residual_bars(scan)
     return {
         "name": scan.name,
         "matched": _matched(scan),
         "warnings": scan.warnings,
-        "verdict": verdict(scan.test),
+        "verdict": verdict(scan.test, tests),
         "scale_advice": scan.scale_test.advice if scan.scale_test else "",
         "plan": plan,
         "plan_caption": plan_caption,
@@ -55,12 +48,12 @@ def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str
         "residuals": _residuals(scan),
         "rejected": _rejected(scan),
         "rejected_rows": [row for row, item in enumerate(scan.correspondences) if not item.used],
-        "reliability": _reliability(scan, limit),
+        "reliability": _reliability(scan, limit, tests),
         "critical_tau": number(limit, 2),
     }
 
 
-def verdict(test: GlobalTest) -> str:
+def verdict(test: GlobalTest, tests: OutlierTestSettings = OutlierTestSettings()) -> str:
     """Return the global test in words."""
     if np.isnan(test.probability):
         return "nothing is redundant, so nothing is checked."
@@ -68,9 +61,9 @@ def verdict(test: GlobalTest) -> str:
         f"(sigma0 {test.sigma0:.2f}, redundancy {test.redundancy:.1f}, v'Pv {test.sum_of_squares:.2f}, "
         f"chi-square probability {test.probability:.3f})"
     )
-    if test.probability < LEVEL / 2:
+    if test.probability < tests.global_significance / 2:
         return f"the residuals are larger than the a priori standard deviations allow {numbers}."
-    if test.probability > 1 - LEVEL / 2:
+    if test.probability > 1 - tests.global_significance / 2:
         return f"the residuals are smaller than the a priori standard deviations suggest {numbers}."
     return f"the residuals agree with the a priori standard deviations {numbers}."
 
@@ -128,14 +121,16 @@ def _rejected(scan: ScanRegistration) -> list[str]:
     ]
 
 
-def _reliability(scan: ScanRegistration, limit: float) -> list[tuple[str, list[Flagged]]]:
+def _reliability(
+    scan: ScanRegistration, limit: float, tests: OutlierTestSettings
+) -> list[tuple[str, list[Flagged]]]:
     """Return each target with its redundancy numbers, w, tau up to a limit, and minimal detectable biases."""
     return [
         (
             item.target,
             [
-                *(Flagged(number(value, 2), value < WEAK) for value in item.redundancy),
-                *(Flagged(number(value, 2), abs(value) > CRITICAL_W) for value in item.normalized),
+                *(Flagged(number(value, 2), value < tests.weak_redundancy) for value in item.redundancy),
+                *(Flagged(number(value, 2), abs(value) > tests.critical_w) for value in item.normalized),
                 *(Flagged(number(value, 2), abs(value) > limit) for value in item.studentized),
                 *(Flagged(text, False) for text in _millimetres(item.detectable)),
             ],

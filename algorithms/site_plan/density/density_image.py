@@ -158,7 +158,7 @@ def sort_and_image(
         if stray > store.point_count / 2:
             raise InputError(
                 f"{names_of(cloud.sources)}: {stray} of {store.point_count} points lie far from each "
-                "other; check that the coordinates are metres, or cut the cloud to the site."
+                "other; check that the coordinates are metres, or remove what is not the site."
             )
         if heights.is_limited and not heights.above_ground:
             keys = cut(store, keys, heights, cloud, progress.part(0.45, 0.5))

@@ -18,9 +18,6 @@ from .density_image import DensityImage
 BANDS = ("density", "occupied height", "base", "top", "ground", "spread", "hanging height")
 """Descriptions of the bands of a density raster."""
 
-OLDER_BANDS = 5
-"""Number of bands that a raster of the plugin has at least; the first versions wrote no more."""
-
 NO_CRS = "The raster has no coordinate reference system, so the results have none either."
 
 
@@ -60,12 +57,12 @@ def write_density(path: Path, image: DensityImage) -> None:
 
 
 def read_density(path: Path) -> DensityRaster:
-    """Read a density raster; one of another origin may hold a single band.
+    """Read a density raster; without all of `BANDS`, the first band is the density.
 
     Raises
     ------
     InputError
-        If the file is no raster, is turned or has oblong pixels, is not in metres, or holds no density.
+        If the file is not a raster, is rotated or has oblong pixels, is not in metres, or holds no density.
     """
     path = Path(path)
     if not path.is_file():
@@ -74,10 +71,8 @@ def read_density(path: Path) -> DensityRaster:
         with rasterio.open(path) as raster:
             bands = dict(zip(raster.descriptions, range(1, raster.count + 1)))
             _check_grid(path, raster)
-            if set(BANDS[:OLDER_BANDS]) <= set(bands):
-                arrays = [_filled(raster, bands[name]) for name in BANDS if name in bands]
-            else:
-                arrays = [_filled(raster, 1)]
+            complete = set(BANDS) <= set(bands)
+            arrays = [_filled(raster, bands[name]) for name in BANDS] if complete else [_filled(raster, 1)]
             transform, crs = raster.transform, raster.crs
     except (rasterio.errors.RasterioError, OSError) as error:
         raise InputError(

@@ -89,7 +89,7 @@ def ground_surface(
     """Return the height of the ground under every cell; float64, shape (rows, columns), metres.
 
     Cells whose lowest surfaces pass into one another are one surface, and it is ground if it is
-    somewhere wide, smooth and clear above: terraces and storeys stay apart from each other, and the
+    somewhere wide, smooth and clear above: terraces and storeys are separated from each other, and the
     top of a wall, a table or the underside of a crown is never ground. Without such a surface, the
     largest one is ground. Every other cell takes the height of the nearest ground, or its own if that is
     a little lower.

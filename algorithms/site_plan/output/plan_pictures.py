@@ -73,11 +73,11 @@ class View:
     @classmethod
     def around(cls, pixels: np.ndarray, transform: Affine) -> "View":
         """Return the view of the pixels that are set, with a margin."""
-        places = [np.flatnonzero(pixels.any(axis=1 - axis)) for axis in (0, 1)]
-        margin = round(MARGIN * max(np.ptp(found) + 1 for found in places))
+        set_pixels = [np.flatnonzero(pixels.any(axis=1 - axis)) for axis in (0, 1)]
+        margin = round(MARGIN * max(np.ptp(found) + 1 for found in set_pixels))
         rows, columns = (
             slice(max(found[0] - margin, 0), min(found[-1] + 1 + margin, size))
-            for found, size in zip(places, pixels.shape)
+            for found, size in zip(set_pixels, pixels.shape)
         )
         corners = np.array([transform * (columns.start, rows.start), transform * (columns.stop, rows.stop)])
         return cls(rows, columns, corners)

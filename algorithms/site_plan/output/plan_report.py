@@ -116,7 +116,7 @@ def _fate_rows(plan: SitePlan, areas: np.ndarray) -> list[_FateRow]:
         (
             Fate.CLOSED,
             f"added by CLOSING {found.gap:g} m",
-            "CLOSING down if it fills niches or passages, up if the two faces of a wall stay apart",
+            "CLOSING down if it fills niches or passages, up if the two faces of a wall remain apart",
         ),
         (
             Fate.MISSHAPEN,

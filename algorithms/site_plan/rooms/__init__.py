@@ -1,5 +1,4 @@
 """Rooms: the closed spaces between walls.
 
-Public names, by module
-    rooms: find_rooms, with_floors, Room. doors: trim, where a room ends at a door. settings: RoomSettings.
+Public names: `rooms.find_rooms`, `rooms.with_floors`, `rooms.Room`, `doors.trim`, `settings.RoomSettings`.
 """

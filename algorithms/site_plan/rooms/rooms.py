@@ -214,7 +214,7 @@ class _Merging:
         return i
 
     def join(self, a: int, b: int, length: float) -> bool:
-        """Join two spaces over a gap of a width; return False if they stay apart."""
+        """Join two spaces over a gap of a width; return False if they remain apart."""
         a, b = self.root(a), self.root(b)
         if a == b:
             return True

@@ -11,7 +11,7 @@ def close_gaps(
 ) -> np.ndarray:
     """Close gaps up to a width between faces, by a round structuring element, and fill holes.
 
-    Where the heights are known, ground that was seen stays open, so that a door is not walled up. A hole in
+    Where the heights are known, ground that was seen is kept open, so that a door is not walled up. A hole in
     which no ground was seen is filled up to twice the gap, as between the faces of a thick wall.
 
     Parameters

@@ -13,11 +13,6 @@ from scipy import ndimage
 
 from .settings import HeightGateSettings
 
-UNSEPARATED = (
-    "The raster has no bands of spread and hanging height, so vegetation and furniture are not separated "
-    "from walls; make it anew with 'densityimage'."
-)
-
 
 @dataclass(frozen=True)
 class Heights:
@@ -27,19 +22,18 @@ class Heights:
     ----------
     occupied, base, top, ground : ndarray
         Metres.
-    spread : ndarray or None
-        Share of the pixel over which its points are spread, 0 to 1; nan where they are few. None in
-        rasters of older versions.
-    hanging : ndarray or None
-        Height filled right below a ceiling, metres; nan without one. None as well.
+    spread : ndarray
+        Share of the pixel over which its points are spread, 0 to 1; nan where they are few.
+    hanging : ndarray
+        Height filled right below a ceiling, metres; nan without one.
     """
 
     occupied: np.ndarray
     base: np.ndarray
     top: np.ndarray
     ground: np.ndarray
-    spread: Optional[np.ndarray] = None
-    hanging: Optional[np.ndarray] = None
+    spread: np.ndarray
+    hanging: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -96,7 +90,7 @@ def make_gate(
     """
     held = np.isfinite(density)
     if heights is None:
-        unknown = "The raster has no bands of heights: MIN_HEIGHT is not applied."
+        unknown = "The raster does not have the bands of heights: MIN_HEIGHT is not applied."
         return Gate(held, held, None, None, (unknown,) if min_height > 0 else ())
     if _is_slice(held, heights, pixel_size, settings):
         sliced = (
@@ -116,8 +110,6 @@ def make_gate(
     is_seen = shown >= settings.ground_share
     rises = held & (occupied >= min_height)
     column = occupied >= settings.column_height_m
-    if heights.spread is None or heights.hanging is None:
-        return Gate(rises, flat & ~rises, column, low if is_seen else None, (UNSEPARATED,))
     foliage = _foliage(heights.spread, rises, occupied, pixel_size, settings)
     room = _rooms(heights.hanging, rises, pixel_size, settings)
     free = room & (heights.hanging < settings.reaching_m)
@@ -152,7 +144,7 @@ def _rooms(
 ) -> np.ndarray:
     """Return where a ceiling was seen that most of what rises below it reaches.
 
-    Below the roof over an excavation walls end freely, and are not furniture for that.
+    Below the roof over an excavation walls end freely, and are not furniture.
     """
     covered = np.isfinite(hanging)
     reach = 2 * max(round(settings.room_gap_m / 2 / pixel_size), 1) + 1

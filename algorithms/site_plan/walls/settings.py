@@ -40,7 +40,7 @@ class RegionSettings:
 class ClosingSettings:
     """Gaps that are closed where the user names none."""
 
-    seen_m: float = physical(0.8, "A thick wall between its faces; ground that was seen stays open.")
+    seen_m: float = physical(0.8, "A thick wall between its faces; ground that was seen is kept open.")
     blind_m: float = physical(0.4, "Narrower than any passage, as nothing shows where the ground was seen.")
 
 
@@ -48,9 +48,7 @@ class ClosingSettings:
 class OutlineSettings:
     """How the steps of outlines of pixels are straightened."""
 
-    tolerance_px: float = judged(
-        0.5, "A straightened outline stays within half a pixel of the steps' middles."
-    )
+    tolerance_px: float = judged(0.5, "A straightened outline is within half a pixel of the steps' middles.")
     corner_px: int = judged(3, "A corner between longer sides is one of the wall, and not a step.")
 
 

@@ -30,7 +30,7 @@ def test_points_come_to_lie_where_the_matrix_sends_them():
     given = matrix(30, 1.0001, (5.0, -7.0, 2.0))
     motion = Motion.about(given, MIDDLE)
     xyz = np.array([[0.0, 0.0, 0.0], [1.5, -2.5, 0.25]])
-    moved = motion.places(xyz) + motion.offset
+    moved = motion.positions(xyz) + motion.offset
     np.testing.assert_allclose(moved, (xyz + motion.origin) @ given[:3, :3].T + given[:3, 3], atol=1e-8)
 
 

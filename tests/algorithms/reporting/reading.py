@@ -14,6 +14,11 @@ def texts(svg):
     return [node.text for node in parsed(svg).iter("text")]
 
 
+def of_colour(svg, colour, kind="path"):
+    """Return the elements of a kind whose style names a colour."""
+    return [node for node in parsed(svg).iter(kind) if colour in (node.get("style") or "")]
+
+
 def text_of(page):
     """Return what a reader sees of a page."""
 

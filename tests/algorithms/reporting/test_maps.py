@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.reporting.figures import WIDTH
 from ichnograph.algorithms.reporting.maps import Map
-from ichnograph.tests.algorithms.reporting.reading import parsed, texts
+from ichnograph.tests.algorithms.reporting.reading import of_colour, parsed, texts
 from shapely.geometry import box
 
 CORNER = np.array([412_300.0, 5_812_300.0])
@@ -15,10 +15,6 @@ DIAGONAL = np.array([[0.0, 0.0], [100.0, 50.0]]) + CORNER
 
 def numbers(text):
     return np.array(re.findall(r"-?[\d.]+", text), dtype=float)
-
-
-def of_colour(svg, colour, kind="path"):
-    return [node for node in parsed(svg).iter(kind) if colour in (node.get("style") or "")]
 
 
 def test_a_map_has_equal_scales_and_north_up():

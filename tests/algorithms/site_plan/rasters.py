@@ -21,8 +21,13 @@ def wall_tower_and_beam():
     occupied[wall | tower] = 1.5
     top[wall], top[tower], top[beam] = 72.5, 71.9, 74.0
     ground = np.full(density.shape, 70.0)
-    heights = Heights(occupied, ground.copy(), top, ground)
-    return DensityRaster(density, heights, GRID, None), wall, tower, beam
+    return DensityRaster(density, sheets(occupied, top, ground), GRID, None), wall, tower, beam
+
+
+def sheets(occupied, top, ground):
+    """Return the heights of walls without foliage or ceilings."""
+    spread, hanging = np.zeros(ground.shape), np.full(ground.shape, np.nan)
+    return Heights(occupied, ground.copy(), top, ground, spread, hanging)
 
 
 def field(width, building):
@@ -34,6 +39,4 @@ def field(width, building):
     wall[100 : 100 + building, 100 : 100 + building] = True
     wall[101 : 99 + building, 101 : 99 + building] = False
     density[wall], occupied[wall], top[wall] = 60.0, 2.0, 2.5
-    nothing = np.zeros(density.shape), np.full(density.shape, np.nan)
-    heights = Heights(occupied, ground.copy(), top, ground, *nothing)
-    return DensityRaster(density, heights, GRID, None), wall
+    return DensityRaster(density, sheets(occupied, top, ground), GRID, None), wall

@@ -10,7 +10,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.formats.e57 import E57Source
 from ichnograph.algorithms.clouds.formats.ptx import PtxSource
-from ichnograph.algorithms.errors import CancelledError, InputError, MissingPackageError
+from ichnograph.algorithms.errors import InputError, MissingPackageError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57
 from rasterio.crs import CRS
@@ -182,12 +182,6 @@ def test_without_the_package_only_e57_is_refused(tmp_path, monkeypatch):
         MissingPackageError, match=r"a\.e57 cannot be read without pye57 and pyquaternion; install"
     ):
         open_cloud([path])
-
-
-def test_cancelling_stops_between_chunks(tmp_path):
-    source = E57Source.open(write_e57(tmp_path / "a.e57", XYZ))
-    with pytest.raises(CancelledError):
-        list(source.chunks(np.zeros(3), Progress(is_cancelled=lambda: True), 1))
 
 
 @pytest.mark.parametrize(

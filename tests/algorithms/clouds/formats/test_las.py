@@ -1,4 +1,4 @@
-"""LAS, LAZ and COPC stream the stored coordinates, and damage never goes unnoticed."""
+"""LAS, LAZ and COPC stream the stored coordinates, and damage is always noticed."""
 
 import pickle
 import struct

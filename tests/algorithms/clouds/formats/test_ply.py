@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.ply import PlySource
-from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
@@ -153,12 +153,6 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, encoding, old,
     with pytest.raises(InputError, match=sentence) as caught:
         read(path)
     assert str(path) in str(caught.value)
-
-
-def test_cancelling_stops_between_chunks(tmp_path):
-    source = PlySource.open(write_ply(tmp_path / "a.ply", XYZ))
-    with pytest.raises(CancelledError):
-        list(source.chunks(np.zeros(3), Progress(is_cancelled=lambda: True), 1))
 
 
 def test_a_file_of_another_program():

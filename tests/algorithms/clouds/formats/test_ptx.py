@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.ptx import PtxSource
 from ichnograph.algorithms.clouds.formats.text import TextSource
-from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ptx
 
@@ -89,12 +89,6 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, old, new, sent
 def test_a_scan_of_empty_cells_is_refused(tmp_path):
     with pytest.raises(InputError, match="holds no points"):
         PtxSource.open(write_ptx(tmp_path / "a.ptx", 0 * CELLS))
-
-
-def test_cancelling_stops_between_chunks(tmp_path):
-    source = PtxSource.open(write_ptx(tmp_path / "a.ptx", CELLS))
-    with pytest.raises(CancelledError):
-        list(source.chunks(np.zeros(3), Progress(is_cancelled=lambda: True), 1))
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.text import TextSource
-from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 
 DATA = Path(__file__).parents[5] / "shared" / "data"
@@ -79,7 +79,7 @@ def test_encodings(tmp_path, encoding):
         "class,nx,ny,nz,x,y,z\nwall,0,0,1,1.5,2.25,3\n",
     ],
 )
-def test_a_header_tells_the_columns(tmp_path, text):
+def test_a_header_names_the_columns(tmp_path, text):
     xyz, intensity, rgb = read(write(tmp_path, text))
     np.testing.assert_array_equal(xyz, [[1.5, 2.25, 3]])
     assert intensity is None
@@ -94,7 +94,7 @@ def test_cloudcompare_header_with_colour_and_intensity(tmp_path):
     np.testing.assert_array_equal(rgb, [[65535, 0, 257]])
 
 
-def test_columns_without_a_header_are_told_by_their_number(tmp_path):
+def test_columns_without_a_header_are_recognised_by_their_number(tmp_path):
     four = read(write(tmp_path, "1.5 2.25 3 900\n"))
     six = read(write(tmp_path, "1.5 2.25 3 255 0 1\n"))
     seven = read(write(tmp_path, "1.5 2.25 3 900 255 0 1\n"))
@@ -207,16 +207,6 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, content, sente
         read(path)
     assert str(path) in str(error.value)
     assert "\n" not in str(error.value)
-
-
-def test_cancelling_stops_between_chunks(tmp_path):
-    path = write(tmp_path, "1 2 3\n" * 10)
-    seen = []
-    progress = Progress(is_cancelled=lambda: len(seen) >= 2)
-    with pytest.raises(CancelledError):
-        for chunk in TextSource.open(path).chunks(np.zeros(3), progress, 2):
-            seen.append(chunk)  # noqa: PERF402
-    assert len(seen) == 2
 
 
 def test_progress_ends_at_one(tmp_path):

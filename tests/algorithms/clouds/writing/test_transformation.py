@@ -95,7 +95,7 @@ def test_a_motion_is_exact_wherever_the_points_lie_before_and_after(points, angl
     origin = np.floor(before)
     xyz = np.array(points) + origin
     motion = Motion.about(matrix, xyz[0])
-    moved = motion.places(xyz - motion.origin) + motion.offset
+    moved = motion.positions(xyz - motion.origin) + motion.offset
     np.testing.assert_allclose(moved, exactly(matrix, xyz), rtol=0, atol=2e-8)
 
 
@@ -226,7 +226,7 @@ def test_normals_in_extra_dimensions_turn_along(tmp_path, xyz, names, kind, opti
         ("x y z nx ny nz\n1 2 3 nan nan nan\n", f"x y z nx ny nz\n{X} {Y} {Z} nan nan nan\n"),
     ],
 )
-def test_text_stays_as_it_is_but_for_places_and_normals(tmp_path, before, after):
+def test_text_is_unchanged_except_for_positions_and_normals(tmp_path, before, after):
     (tmp_path / "in.txt").write_text(before, encoding="utf-8")
     transform(tmp_path / "in.txt", QUARTER_TURN, tmp_path / "out.txt")
     assert (tmp_path / "out.txt").read_text(encoding="utf-8") == after
@@ -319,7 +319,7 @@ def test_chunks_do_not_change_a_byte(tmp_path_factory, size):
         assert (folder / f"whole_{name}").read_bytes() == (folder / f"parts_{name}").read_bytes()
 
 
-def test_a_copc_becomes_a_laz_and_other_names_stay(tmp_path, xyz):
+def test_a_copc_becomes_a_laz_and_other_names_are_kept(tmp_path, xyz):
     names = ("Scan.COPC.LAZ", "scan.xyz", "b.las", "c.PLY", "d.ptx")
     las(tmp_path / "Scan.COPC.LAZ", xyz)
     np.savetxt(tmp_path / "scan.xyz", xyz)

@@ -25,7 +25,7 @@ def test_fusing_does_not_chain():
         assert np.ptp(relative[surfaces == surface]) < 0.3
 
 
-def test_soft_borders_fuse_and_sharp_ones_stay():
+def test_soft_borders_fuse_and_sharp_ones_do_not():
     labels = np.where(PANEL, 3, np.where(POINTS[:, 0] < 0.8, 1, 2)).astype(np.int32)
     assert len(np.unique(fuse_by_soft_borders(MESH, LINKED, labels, painted(noise=0.0), 30.0))) == 2
 

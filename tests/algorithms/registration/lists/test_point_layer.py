@@ -34,6 +34,25 @@ def test_layers_of_points_with_z(tmp_path, suffix, geometry):
     assert points.crs.to_epsg() == 25833
 
 
+@pytest.mark.parametrize("decoded_by_gdal", [True, False])
+@pytest.mark.parametrize("encoding", ["utf-8", "iso-8859-1"])
+def test_names_of_shapefiles_have_the_stated_encoding(tmp_path, encoding, decoded_by_gdal):
+    names = ("Süd", "Größe", "P")
+    rows = [{"name": name} for name in names]
+    path = write_layer(tmp_path / "list.shp", XYZ, {"name": "str"}, rows, encoding=encoding)
+
+    # QGIS sets this option once it has opened a shapefile.
+    with fiona.Env(**({} if decoded_by_gdal else {"SHAPE_ENCODING": ""})):
+        assert read_point_list(path).names == names
+
+
+def test_a_shapefile_of_an_unknown_encoding_is_read_by_gdal(tmp_path):
+    path = write_layer(tmp_path / "list.shp", XYZ, {"name": "str"}, [{"name": name} for name in "ABC"])
+    path.with_suffix(".cpg").write_text("Klingon")
+
+    assert read_point_list(path).names == ("A", "B", "C")
+
+
 def test_layers_without_names_are_numbered(tmp_path):
     fields, rows = {"id": "int", "code": "str"}, [{"id": None, "code": "a"}] * 3
     points = read_point_list(write_layer(tmp_path / "a.gpkg", XYZ, fields, rows))
@@ -49,7 +68,7 @@ def test_numbers_are_names_too(tmp_path, kind, values, names):
     assert read_point_list(write_layer(tmp_path / "a.shp", XYZ, {"PT_NR": kind}, rows)).names == names
 
 
-def test_a_field_that_names_every_point_goes_before_one_that_does_not():
+def test_a_field_that_names_every_point_is_preferred_to_one_that_does_not():
     features = [((1, 2, 3), {"name": None, "id": 4}), ((1, 2, 3), {"name": "a", "id": 5})]
     assert points_of_features("list", "the layer", features, "").names == ("4", "5")
 

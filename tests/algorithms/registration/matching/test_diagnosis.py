@@ -56,7 +56,7 @@ def test_a_scan_of_another_site_overlaps_nothing(seed):
     assert scan.status == "no overlap"
 
 
-def test_names_that_do_not_fit_are_told_from_distances_that_do():
+def test_wrong_names_are_distinguished_from_wrong_distances():
     targets, _ = scanned(HALL)
     names = [f"P{row + 1}" for row in range(len(HALL))]
     shuffled = [names[(3 * row + 1) % 8] for row in range(8)]

@@ -15,7 +15,7 @@ def test_targets_in_one_plane_are_registered_with_a_warning_that_a_mirror_would_
     assert any("mirrored" in warning for warning in scan.warnings)
 
 
-def test_wrong_names_are_found_out_and_told():
+def test_wrong_names_are_a_warning():
     targets, _ = scanned(HALL, noise=0.001)
     names = [f"P{row + 1}" for row in range(8)]
     wrong = [*names[:2], "P6", *names[3:5], "P3", *names[6:]]
@@ -28,7 +28,7 @@ def test_wrong_names_are_found_out_and_told():
     assert {item.target for item in scan.correspondences if not item.used} == {"P3", "P6"}
 
 
-def test_names_that_contradict_the_distances_are_told():
+def test_names_that_contradict_the_distances_are_a_warning():
     targets, _ = scanned(HALL)
     names = [f"P{row + 1}" for row in range(8)]
     scan = register_scans(

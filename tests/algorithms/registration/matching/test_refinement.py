@@ -30,7 +30,7 @@ def test_targets_that_are_not_control_points_stay_free_with_their_gap():
     assert np.isinf(solution.gaps[:7]).all() and np.isinf(solution.gaps[7:]).all()
 
 
-def test_a_gap_tells_how_far_a_target_is_from_the_nearest_free_point():
+def test_a_gap_is_the_distance_of_a_target_from_the_nearest_free_point():
     places = HALL.copy()
     places[7] += [0.1, 0.0, 0.0]
     solution = refined(space(HALL, scanned(places)[0]), SEED, SEED)

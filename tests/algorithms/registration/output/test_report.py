@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.registration.adjustment.settings import AdjustmentSettings, OutlierTestSettings
 from ichnograph.algorithms.registration.output.report import write_report
-from ichnograph.algorithms.registration.output.report_scan import verdict
 from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.reporting.numbers import MISSING
@@ -19,6 +19,7 @@ from ichnograph.tests.algorithms.registration.made_registrations import (
     rejected,
     scan,
 )
+from scipy import stats
 
 
 @pytest.fixture
@@ -72,7 +73,7 @@ def test_every_scan_is_summed_up_in_a_row(report):
     assert f"S99 ambiguous 8 {MISSING} {MISSING}" in text
 
 
-def test_settings_and_the_tolerance_that_was_used_are_told(report):
+def test_settings_and_the_tolerance_that_was_used_are_listed(report):
     text = plain(report(registration(1)))
 
     for part in (
@@ -105,7 +106,7 @@ def test_residuals_are_in_millimetres_and_tests_beside_them(report):
     assert "T0 0.60 0.70 0.65 0.42 0.83 -0.83 0.37 0.74 -0.74 16.0 15.0 15.5" in text
 
 
-def test_a_rejected_target_is_marked_and_told(report):
+def test_a_rejected_target_is_marked_and_explained(report):
     text = report(of_one_scan(*THREE, rejected("T9", "P9", CORNER + (3, 3, 3), (0.3, 0.0, 0.0))))
 
     assert '<tr class="marked"><td class="w">T9</td>' in text
@@ -147,7 +148,7 @@ def test_parameters_have_standard_deviations_and_correlations(report):
     assert "rotation z 0.00 0.00 0.00 0.00 0.00" in text
 
 
-def test_warnings_and_the_advice_about_the_scale_are_told(report):
+def test_warnings_and_the_advice_about_the_scale_are_shown(report):
     advice = ScaleTest(120.0, 20.0, True, "The scale differs from 1.")
     result = of_one_scan(*THREE, scale_test=advice, warnings=("T7 is weak.",))
     text = plain(report(replace(result, warnings=("Two points are one.",))))
@@ -166,18 +167,23 @@ def test_what_is_not_known_is_a_dash(report):
     assert text.count("nothing is redundant") == 2
 
 
-@pytest.mark.parametrize(
-    ("probability", "words"), [(0.001, "larger than"), (0.5, "agree with"), (0.999, "smaller than")]
-)
-def test_the_global_test_speaks(probability, words):
-    assert f"the residuals {words}" in verdict(GlobalTest(10.0, 9.0, 1.05, probability)).replace("are ", "")
-
-
 def test_the_legend_names_the_critical_values(report):
     text = plain(report(registration(1)))
 
     for part in ("3.29", "4.13", "2.448", "2.795", "80 %"):
         assert part in text
+
+
+def test_the_limits_are_those_that_the_registration_was_run_with(report):
+    tests = OutlierTestSettings(significance=0.01, power=0.9, global_significance=0.2, weak_redundancy=0.62)
+    settings = Settings(adjustment=AdjustmentSettings(tests=tests))
+    doubtful = replace(THREE[0], normalized=np.array([2.7, 0.1, 0.1]))
+    text = report(replace(of_one_scan(doubtful, *THREE[1:]), settings=settings))
+
+    for part in (f"suspected beyond {stats.norm.isf(0.005):.2f}", "power of 90 %", "level of 20 %"):
+        assert part in plain(text)
+    # Each of the three has a redundancy number of 0.60.
+    assert re.findall(r'<b class="red">(.*?)</b>', text) == ["0.60", "2.70", "0.60", "0.60"]
 
 
 def test_appended_points_are_listed_with_their_precision_and_drawn_with_ellipses(report):

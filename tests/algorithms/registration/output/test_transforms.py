@@ -214,12 +214,12 @@ def test_one_cloud_and_one_scan_belong_together_but_it_is_said(tmp_path):
     assert warnings == (f"The only scan in {path}, Hall, is used for export 7.laz.",)
 
 
-def test_a_cloud_without_a_scan_is_told_the_names(written):
+def test_a_cloud_without_a_scan_is_refused_with_the_names_there_are(written):
     with pytest.raises(InputError, match=r"no scan for attic\.laz in .*, only Hall, Gärten; name the cloud"):
         match_clouds(read_transforms(written), [Path("attic.laz")])
 
 
-def test_a_cloud_whose_scan_is_not_registered_is_told_why(written):
+def test_a_cloud_whose_scan_is_not_registered_is_refused_with_the_reason(written):
     told = r"Gärten\.laz is left out because .* not registered in .* \(ambiguous: Two solutions\)\."
     with pytest.raises(InputError, match=told):
         match_clouds(read_transforms(written), [Path("Gärten.laz")])

@@ -1,4 +1,4 @@
-"""The simulation: what it draws, what it counts, and what it tells the surveyor."""
+"""The simulation: what it draws, what it counts, and what it advises the surveyor."""
 
 from dataclasses import replace
 
@@ -86,7 +86,7 @@ def test_within_reach_only_neighbours_are_seen_together(building):
         assert gaps.max(axis=1).min() <= 9.0
 
 
-def test_points_that_no_scan_reaches_are_told():
+def test_points_that_no_scan_reaches_are_a_warning():
     xyz = np.concatenate([target_scene(12, 5, 5, seed=1).control.xyz, [[600_000, 5_700_000, 0]]])
     done = simulate(points(xyz), trials=2, reach=100)
 

@@ -50,7 +50,7 @@ def test_a_cupboard_before_a_wall_is_removed_and_the_wall_behind_is_seen_above_i
     assert tall_at(points, behind, degrees) > 0.95
 
 
-def test_walls_reach_the_ceiling_and_stay():
+def test_walls_that_reach_the_ceiling_are_kept():
     points, far = room()
     image = density_image(cloud_of(points))
     assert band_at(image, "hanging", far).min() > 2
@@ -72,7 +72,7 @@ def test_a_beam_and_the_lintel_of_a_door_are_no_walls():
     assert tall_at(points, partition) == 1
 
 
-def test_the_wall_below_a_window_stays_for_the_lintel_reaches_the_ceiling():
+def test_the_wall_below_a_window_is_kept_because_the_lintel_reaches_the_ceiling():
     points, far = room()
     hole = (far[:, 0] > 2) & (far[:, 0] < 3.5) & (far[:, 2] > 0.9) & (far[:, 2] < 2.1)
     points = np.concatenate([points[: -len(far)], far[~hole]])
@@ -86,14 +86,14 @@ def test_a_person_in_a_room_is_no_wall():
     assert tall_at(np.concatenate([points, person]), person) == 0
 
 
-def test_low_walls_below_the_roof_over_an_excavation_stay():
+def test_low_walls_below_the_roof_over_an_excavation_are_kept():
     walls = np.concatenate([upright((1, y), (9, y), 0, 1.2) for y in (2.0, 4.0, 6.0)])
     posts = np.concatenate([box((x, x + 0.2), (0.5, 0.7), 0, 4.0) for x in (1, 5, 9)])
     site = np.concatenate([level((0, 10), (0, 8), 0.0), level((0, 10), (0, 8), 4.0), walls, posts])
     assert tall_at(site, walls) == 1
 
 
-def test_a_low_wall_below_a_crown_stays():
+def test_a_low_wall_below_a_crown_is_kept():
     wall = upright((1, 3), (7, 3), 0, 1.2)
     crown = foliage((2, 6), (1, 5), 1.5, 2000) + [0, 0, 2.5]
     ragged = crown[crown[:, 2] > 2.6 + 0.5 * np.sin(3 * crown[:, 0]) * np.cos(4 * crown[:, 1])]
@@ -107,7 +107,7 @@ def test_a_yard_wall_without_a_ceiling_may_be_lower_than_the_house():
     assert tall_at(points, low) == 1
 
 
-def test_a_partition_in_a_room_stays_where_its_foot_is_hidden_but_not_its_head():
+def test_a_partition_in_a_room_is_kept_where_its_foot_is_hidden_but_not_its_head():
     points, far = room(width=8.0)
     hidden = without(points, (1, 4), (4.4, 5.1), 1.0)
     assert tall_at(hidden, far) > 0.98

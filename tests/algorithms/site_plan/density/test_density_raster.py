@@ -1,4 +1,4 @@
-"""The density raster goes out and comes back; foreign rasters are taken or refused."""
+"""The density raster is written and read back; rasters of other origin are used or refused."""
 
 import numpy as np
 import pytest
@@ -52,13 +52,19 @@ def test_a_raster_without_a_reference_system_is_a_warning(tmp_path):
     assert read_density(write(tmp_path / "utm.tif", np.eye(4), crs=CRS.from_epsg(25833))).warnings == ()
 
 
-def test_a_raster_of_an_older_version_is_read_without_the_later_bands(tmp_path):
-    names = BANDS[:5]
-    bands = {name: np.full((4, 4), i + 1.0, np.float32) for i, name in enumerate(names)}
-    write_raster(tmp_path / "old.tif", bands, GRID, None)
-    heights = read_density(tmp_path / "old.tif").heights
-    assert heights.ground[0, 0] == 5
-    assert heights.spread is None and heights.hanging is None
+def test_bands_are_recognised_by_their_names_in_any_order(tmp_path):
+    bands = {name: np.full((4, 4), number, np.float32) for number, name in enumerate(BANDS, start=1)}
+    write_raster(tmp_path / "reversed.tif", dict(reversed(bands.items())), GRID, None)
+    raster = read_density(tmp_path / "reversed.tif")
+    assert (raster.density[0, 0], raster.heights.occupied[0, 0], raster.heights.hanging[0, 0]) == (1, 2, 7)
+
+
+def test_a_raster_that_lacks_a_band_of_heights_is_a_density_alone(tmp_path):
+    bands = {name: np.full((4, 4), number, np.float32) for number, name in enumerate(BANDS[:-1], start=1)}
+    write_raster(tmp_path / "short.tif", bands, GRID, None)
+    raster = read_density(tmp_path / "short.tif")
+    assert raster.heights is None
+    assert raster.density[0, 0] == 1
 
 
 def test_a_single_band_is_a_density_without_heights(tmp_path):
@@ -76,7 +82,7 @@ def test_a_single_band_is_a_density_without_heights(tmp_path):
         ({"crs": CRS.from_epsg(2225)}, "metres"),
     ],
 )
-def test_a_grid_that_cannot_serve_is_refused(tmp_path, profile, word):
+def test_an_unsuitable_grid_is_refused(tmp_path, profile, word):
     with pytest.raises(InputError, match=rf"bad\.tif.*{word}"):
         read_density(write(tmp_path / "bad.tif", np.eye(4), **profile))
 

@@ -7,9 +7,8 @@ import pytest
 from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
 from ichnograph.algorithms.site_plan.walls.extraction import Verdict, WallParameters, extract_wall_pixels
-from ichnograph.algorithms.site_plan.walls.height_gate import Heights
 from ichnograph.algorithms.site_plan.walls.thresholds import Rule
-from ichnograph.tests.algorithms.site_plan.rasters import GRID, field, wall_tower_and_beam
+from ichnograph.tests.algorithms.site_plan.rasters import GRID, field, sheets, wall_tower_and_beam
 
 
 def extracted(raster, **parameters):
@@ -58,7 +57,7 @@ def test_a_horizontal_slice_is_taken_without_the_gate():
     density = np.full((100, 100), np.nan)
     density[20:22, 10:90] = 4.0
     flat = np.full(density.shape, 1.2)
-    heights = Heights(np.zeros(density.shape), flat, flat, flat)
+    heights = sheets(np.zeros(density.shape), flat, flat)
     image = extracted(DensityRaster(density, heights, GRID, None))
     assert image.walls[20:22, 10:90].all()
     assert "horizontal slice" in image.gate.warnings[0]

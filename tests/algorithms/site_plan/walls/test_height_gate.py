@@ -40,7 +40,7 @@ def test_a_bush_at_a_wall_is_removed_and_the_wall_is_kept(degrees):
 
 @settings(max_examples=5, deadline=None)
 @given(st.floats(0, 90), st.integers(0, 2**32 - 1))
-def test_rubble_masonry_with_centimetres_of_relief_stays(degrees, seed):
+def test_rubble_masonry_with_centimetres_of_relief_is_kept(degrees, seed):
     random = np.random.default_rng(seed)
     # Stones of 0.2 m that stand out from a face by up to 5 cm.
     stones = random.uniform(-0.05, 0.05, (40, 40))
@@ -56,21 +56,21 @@ def test_rubble_masonry_with_centimetres_of_relief_stays(degrees, seed):
 
 
 @pytest.mark.parametrize("degrees", [0.0, 20.0, 45.0])
-def test_a_wall_that_leans_by_a_degree_stays(degrees):
+def test_a_wall_that_leans_by_a_degree_is_kept(degrees):
     leaning = WALL + np.tan(np.radians(1)) * WALL[:, 2:] * [0, 1, 0]
     waist = leaning[np.abs(leaning[:, 2] - 1) < 0.2]
     assert tall_share(np.concatenate([GROUND, leaning]), waist, degrees) > 0.98
 
 
 @pytest.mark.parametrize("radius", [0.15, 0.3, 2.0])
-def test_columns_and_round_towers_stay(radius):
+def test_columns_and_round_towers_are_kept(radius):
     turns = np.arange(0, 2 * np.pi, 0.02 / radius)
     rim = np.column_stack([4 + radius * np.cos(turns), 3 + radius * np.sin(turns)])
     round_wall = np.concatenate([np.column_stack([rim, np.full(len(rim), z)]) for z in np.arange(0, 2, 0.03)])
     assert tall_share(np.concatenate([GROUND, round_wall]), round_wall) == 1
 
 
-def test_a_thin_partition_whose_faces_lie_close_stays():
+def test_a_thin_partition_whose_faces_lie_close_is_kept():
     partition = np.concatenate([upright((1, y), (7, y), 0.0, 2.2) for y in (2.0, 2.1)])
     assert tall_share(np.concatenate([GROUND, partition]), partition, 17.0) == 1
 
