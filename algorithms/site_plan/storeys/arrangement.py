@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from rasterio.features import rasterize, shapes
 from scipy import ndimage
-from shapely.geometry import LineString, box, shape
 from shapely.affinity import affine_transform
+from shapely.geometry import LineString, box, shape
 from shapely.ops import polygonize, unary_union
 
 from .footprint import Footprint
@@ -105,7 +105,9 @@ def footprint_lines(footprint: Footprint, settings: CutSettings) -> list:
     seen = ndimage.binary_opening(seen)
     lines = []
     for geometry, _ in shapes(seen.astype(np.uint8), mask=seen, connectivity=4):
-        outline = affine_transform(shape(geometry), [frame.pixel_m, 0, 0, frame.pixel_m, frame.left, frame.bottom])
+        outline = affine_transform(
+            shape(geometry), [frame.pixel_m, 0, 0, frame.pixel_m, frame.left, frame.bottom]
+        )
         if outline.area >= settings.smallest_outline_m2:
             lines += [ring.simplify(settings.outline_m) for ring in (outline.exterior, *outline.interiors)]
     return lines

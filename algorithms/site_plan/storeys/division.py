@@ -3,13 +3,20 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
-from .linking import label_linked
-from .arrangement import Arrangement, Tracks, arrange, find_tracks, footprint_lines, seen_and_unseen, sheet_lines
+from .arrangement import (
+    Arrangement,
+    Tracks,
+    arrange,
+    find_tracks,
+    footprint_lines,
+    seen_and_unseen,
+    sheet_lines,
+)
 from .evidence import UprightsAlong
 from .footprint import Footprint
+from .linking import label_linked
 from .minimum_cut import minimum_cut
 from .settings import CutSettings, LevelSettings
 
@@ -94,7 +101,9 @@ def divide(
         for height in (settings.section_m, settings.tall_m)
     )
     low = (1 << round(settings.tall_m / levels.level_m)) - 1
-    bodies = uprights.mean_levels(np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low)
+    bodies = uprights.mean_levels(
+        np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low
+    )
     cost = settings.border_m * arrangement.lengths
     full = min(settings.full_levels, settings.full_share * _usual_levels(sheets))
     cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / full, 1))

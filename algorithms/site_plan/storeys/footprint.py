@@ -66,7 +66,9 @@ def find_footprint(
     return Footprint(frame, weight, floor, ceiling)
 
 
-def _extreme(function: np.ufunc, row: np.ndarray, column: np.ndarray, z: np.ndarray, shape: tuple) -> np.ndarray:
+def _extreme(
+    function: np.ufunc, row: np.ndarray, column: np.ndarray, z: np.ndarray, shape: tuple
+) -> np.ndarray:
     heights = np.full(shape, np.nan, np.float32)
     function.at(heights, (row, column), z.astype(np.float32))
     return heights

@@ -11,7 +11,6 @@ from .footprint import Footprint
 from .levels import count_levels
 from .settings import FreeFaceSettings, LevelSettings
 
-
 PARALLEL = 0.98
 """Cosine of the largest angle between the two faces of a wall."""
 
@@ -102,7 +101,9 @@ def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: flo
     return [place.ravel() for place, (low, high) in zip(places, share) if (high - low) * length >= shortest]
 
 
-def _turned(run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings) -> np.ndarray:
+def _turned(
+    run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings
+) -> np.ndarray:
     """Turn a face so that the solid lies to the left."""
     start, stop = run[:2], run[2:]
     along = (stop - start) / np.hypot(*(stop - start))
@@ -113,7 +114,8 @@ def _turned(run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: 
     places = np.linspace(start, stop, 10)
     depths = np.linspace(0.2 * settings.front_m, settings.front_m, 6)
     sides = [
-        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths])) for sign in (1, -1)
+        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths]))
+        for sign in (1, -1)
     ]
     return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
 

@@ -143,7 +143,7 @@ class CutSettings:
     """Height over the floor that the plan is cut at."""
     cut_levels: float = 1.0
     """A wall has surface on so many levels above the cut: a balustrade has none."""
-    body_levels: float = 2.0
+    body_levels: float = 1.0
     """The sheet of a wall has surface on so many levels below `tall_m`: a beam has none."""
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""

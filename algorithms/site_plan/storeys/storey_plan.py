@@ -14,13 +14,13 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
-from .room_cells import Room, find_rooms
-from .regular import square_up
+from .regular import share_lines, square_up
+from .room_cells import find_rooms
 from .settings import StoreySettings
-from .sheets import Sheet, find_sheets, share_lines
+from .sheets import find_sheets
 from .voxels import make_voxels
 from .wall_bodies import behind, wall_bodies
-from .walls import Wall, describe_walls
+from .walls import describe_walls
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,10 @@ def make_storey_plan(
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.4, "Finding faces")
     uprights = find_uprights(
-        voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
+        voxels,
+        storey.floor,
+        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
+        settings.levels,
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)

@@ -4,6 +4,7 @@ import numpy as np
 from shapely.geometry import MultiPoint, Polygon
 from shapely.ops import unary_union
 
+from .outlines import tidy
 from .settings import WallSettings
 
 MITRE = 2
@@ -40,7 +41,11 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
     parts = getattr(body, "geoms", [body])
-    return [part for part in parts if part.geom_type == "Polygon" and part.area >= settings.smallest_m2]
+    return [
+        tidy(part, settings)
+        for part in parts
+        if part.geom_type == "Polygon" and part.area >= settings.smallest_m2
+    ]
 
 
 def between(faces: np.ndarray, thickest: float):
