@@ -19,7 +19,8 @@ OUTSIDE = -1
 """Number of the cell beyond the frame."""
 
 CORE_SEEN, CORE_KNOWN = 0.2, 0.4
-"""A cell is the core of a wall if less than this share of what is known was seen, and more than this is known."""
+"""A cell is the core of a wall if less than the first share of what is known was seen, and more than
+the second share is known."""
 
 ON_LINE = 1e-4
 """A border lies on a line if both its ends are so near to it, metres."""

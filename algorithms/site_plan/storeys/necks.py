@@ -2,14 +2,22 @@
 
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry.polygon import orient
 from shapely.ops import split, unary_union
 from shapely.prepared import prep
 
+from .outlines import parts_of
 from .settings import RoomSettings
 from .spaces import inner_width
 
 OVER = 1e-4
 """A chord goes on over both its ends by so much, metres, to cut."""
+
+TOUCHING = 1e-6
+"""Areas nearer than this touch, metres."""
+
+NARROWEST = 0.05
+"""What is opposite of a corner is farther than this, metres."""
 
 
 def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> list:
@@ -19,11 +27,10 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
     if cores.geom_type != "MultiPolygon":
         return [outline]
     wide = [core.buffer(1.01 * half) for core in cores.geoms]
-    throats = outline.difference(unary_union(wide))
     throats = [
         throat
-        for throat in getattr(throats, "geoms", [throats])
-        if sum(throat.distance(core) < 1e-6 for core in wide) > 1
+        for throat in parts_of(outline.difference(unary_union(wide)))
+        if sum(throat.distance(core) < TOUCHING for core in wide) > 1
     ]
     for chord in _narrow_chords(outline, unary_union(throats).buffer(0.3), settings.neck_m):
         parts = [part for part in split(outline, chord).geoms if part.area > 1e-4]
@@ -37,36 +44,35 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
 
 def _narrow_chords(outline: Polygon, near, widest: float) -> list:
     """Return the chords from corners that jut into a space to what is opposite, the shortest first."""
+    sides = np.concatenate([_sides(ring) for ring in (outline.exterior, *outline.interiors)])
+    starts, along = sides[:, :2], sides[:, 2:] - sides[:, :2]
+    within, near = prep(outline.buffer(2 * OVER)), prep(near)
     chords = []
-    rings = [np.asarray(ring.coords)[:-1] for ring in (outline.exterior, *outline.interiors)]
-    starts = np.concatenate(rings)
-    stops = np.concatenate([np.roll(ring, -1, axis=0) for ring in rings])
-    before = np.concatenate([np.roll(ring, 1, axis=0) for ring in rings])
-    turn = np.cross(starts - before, stops - starts)
-    outward = np.concatenate(
-        [np.full(len(ring), _winding(ring) * (1 if k == 0 else -1)) for k, ring in enumerate(rings)]
-    )
-    along = stops - starts
-    length = np.maximum((along**2).sum(axis=1), 1e-12)
-    within = prep(outline.buffer(2 * OVER))
-    near = prep(near)
-    for corner in np.flatnonzero(turn * outward < -1e-6):
-        place = starts[corner]
-        if not near.contains(Point(place)):
+    for corner in _jutting(outline):
+        if not near.contains(Point(corner)):
             continue
-        share = np.clip(((place - starts) * along).sum(axis=1) / length, 0, 1)
-        opposite = starts + share[:, None] * along
-        distance = np.hypot(*(opposite - place).T)
-        for other in np.flatnonzero((distance <= widest) & (distance > 0.05)):
-            chord = _over(place, opposite[other])
-            if within.contains(chord):
-                chords.append(chord)
+        share = ((corner - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12)
+        opposite = starts + np.clip(share, 0, 1)[:, None] * along
+        distance = np.hypot(*(opposite - corner).T)
+        found = [_over(corner, place) for place in opposite[(distance <= widest) & (distance > NARROWEST)]]
+        chords += [chord for chord in found if within.contains(chord)]
     return sorted(chords, key=lambda chord: chord.length)
 
 
-def _winding(ring: np.ndarray) -> float:
-    x, y = ring.T
-    return float(np.sign(np.dot(x, np.roll(y, -1)) - np.dot(np.roll(x, -1), y)))
+def _sides(ring) -> np.ndarray:
+    corners = np.asarray(ring.coords)
+    return np.hstack([corners[:-1], corners[1:]])
+
+
+def _jutting(outline: Polygon) -> np.ndarray:
+    """Return the corners that jut into a space, shape (n, 2)."""
+    outline = orient(outline)
+    found = []
+    for ring in (outline.exterior, *outline.interiors):
+        corners = np.asarray(ring.coords)[:-1]
+        before, after = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
+        found.append(corners[before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < 0])
+    return np.concatenate(found)
 
 
 def _over(start: np.ndarray, stop: np.ndarray) -> LineString:

@@ -10,7 +10,6 @@ from .linking import label_linked
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
 
-
 LARGE = 10
 """A space so many times as large as the smallest room is wide enough."""
 
@@ -30,6 +29,23 @@ class Parts:
     over_sill: list
 
 
+@dataclass(frozen=True)
+class _Openings:
+    """Borders between cells of rooms that lie in openings.
+
+    Attributes
+    ----------
+    open, over_sill : ndarray of bool, shape (borders,)
+        Those in openings, and those of them over a parapet.
+    shut : list of ndarray of int
+        Those of each opening that something fills: a leaf, a curtain, a piece of furniture.
+    """
+
+    open: np.ndarray
+    over_sill: np.ndarray
+    shut: list
+
+
 def cut_at_openings(
     division: Division,
     uprights: UprightsAlong,
@@ -37,58 +53,47 @@ def cut_at_openings(
     levels: LevelSettings = LevelSettings(),
 ) -> Parts:
     """Cut what is room along the lines of sheets under lintels and over sills."""
-    sides, is_room = division.arrangement.sides, division.is_room
-    inside = is_room[sides].all(axis=1)
-    chords, over_sill, shut = _chords(division, inside, uprights, settings, levels)
-    linked = _cut_at_shut_doors(division, inside & ~chords, shut, settings)
-    part = label_linked(*sides[linked].T, len(is_room))
-    beside_sill = np.unique(part[sides[over_sill]])
-    numbers = np.unique(part[is_room])
-    outlines = [division.area(np.flatnonzero((part == number) & is_room)) for number in numbers]
-    return Parts(outlines, np.isin(numbers, beside_sill).tolist())
+    sides, room = division.arrangement.sides, division.is_room
+    inside = room[sides].all(axis=1)
+    found = _openings(
+        division, np.flatnonzero(inside & (division.tracks.sheet >= 0)), uprights, settings, levels
+    )
+    linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
+    part = label_linked(*sides[linked].T, len(room))
+    numbers = np.unique(part[room])
+    outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
+    return Parts(outlines, np.isin(numbers, part[sides[found.over_sill]]).tolist())
 
 
-def _chords(
+def _openings(
     division: Division,
-    inside: np.ndarray,
+    candidate: np.ndarray,
     uprights: UprightsAlong,
     settings: RoomSettings,
     levels: LevelSettings,
-) -> tuple:
-    """Tell the borders within rooms that lie in openings, those of them that lie over a parapet, and shut ones.
-
-    Returns
-    -------
-    chords, over_sill : ndarray of bool, shape (borders,)
-    shut : list of ndarray of int
-        The borders of each opening that something fills, a leaf or a curtain or a piece of furniture.
-    """
-    ends, tracks = division.arrangement.ends, division.tracks
-    candidate = np.flatnonzero(inside & (tracks.sheet >= 0))
-    chords, over_sill = np.zeros(len(ends), bool), np.zeros(len(ends), bool)
-    if not len(candidate):
-        return chords, over_sill, []
+) -> _Openings:
+    """Find the openings among borders, given by number, that lie on lines of sheets."""
+    borders = division.arrangement.ends
+    found = _Openings(np.zeros(len(borders), bool), np.zeros(len(borders), bool), [])
+    ends, length = borders[candidate], division.arrangement.lengths[candidate]
     head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
-    above = uprights.mean_levels(ends[candidate], -1 << head)
-    eye = uprights.mean_levels(ends[candidate], (1 << high) - (1 << low))
-    below = uprights.mean_levels(ends[candidate], (1 << low) - 2)
-    length = division.arrangement.lengths[candidate]
-    rim, shut = _nodes(ends[division.are_borders()]), []
-    for run in _runs(ends[candidate], rim):
-        first, last = _tips(ends[candidate[run]])
-        if first not in rim or last not in rim:
+    masks = (-1 << head, (1 << high) - (1 << low), (1 << low) - 2)
+    surface = np.array([uprights.mean_levels(ends, mask) for mask in masks])
+    rim = _nodes(borders[division.are_borders()])
+    for run in _runs(ends, rim):
+        if not all(tip in rim for tip in _tips(ends[run])):
             continue
-        wide = length[run].sum()
-        lintel, face, parapet = (np.average(kind[run], weights=length[run]) for kind in (above, eye, below))
-        if face > settings.open_share * (high - low):
-            if lintel >= settings.lintel_levels and wide <= settings.widest_leaf_m:
-                shut.append(candidate[run])
+        width = length[run].sum()
+        above, eye, below = surface[:, run] @ length[run] / width
+        has_lintel = above >= settings.lintel_levels
+        if eye > settings.open_share * (high - low):
+            if has_lintel and width <= settings.widest_leaf_m:
+                found.shut.append(candidate[run])
             continue
-        parapet = wide <= settings.widest_window_m and min(parapet / settings.parapet_levels, lintel) >= 1
-        lintel = wide <= settings.widest_opening_m and lintel >= settings.lintel_levels
-        chords[candidate[run]] = lintel or parapet
-        over_sill[candidate[run]] = parapet
-    return chords, over_sill, shut
+        is_window = has_lintel and below >= settings.parapet_levels and width <= settings.widest_window_m
+        found.open[candidate[run]] = is_window or (has_lintel and width <= settings.widest_opening_m)
+        found.over_sill[candidate[run]] = is_window
+    return found
 
 
 def _cut_at_shut_doors(

@@ -6,6 +6,11 @@ from shapely.geometry import Polygon
 from .settings import WallSettings
 
 
+def parts_of(geometry) -> list:
+    """Return the parts of a geometry that are not empty."""
+    return [part for part in getattr(geometry, "geoms", [geometry]) if not part.is_empty]
+
+
 def tidy(outline: Polygon, settings: WallSettings = WallSettings()) -> Polygon:
     """Return an outline without edges shorter than `shortest_m` and corners within `straight_m` of a line."""
     rings = [_tidied(ring, settings) for ring in (outline.exterior, *outline.interiors)]

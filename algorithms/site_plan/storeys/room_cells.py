@@ -14,7 +14,7 @@ from .footprint import Footprint
 from .levels import Storey
 from .necks import cut_at_necks
 from .openings import cut_at_openings
-from .outlines import tidy
+from .outlines import parts_of, tidy
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
 
@@ -58,7 +58,7 @@ def find_rooms(
     parts = cut_at_openings(division, uprights, settings, levels)
     rooms, parapets = [], []
     for part, over_sill in zip(parts.outlines, parts.over_sill):
-        for outline in getattr(part, "geoms", [part]):
+        for outline in parts_of(part):
             if is_room(outline, settings):
                 rooms += [piece for piece in cut_at_necks(outline, settings) if is_room(piece, settings)]
             elif over_sill and _is_parapet(outline, footprint, storey, settings):
@@ -107,4 +107,4 @@ def _is_parapet(niche: Polygon, footprint: Footprint, storey: Storey, settings: 
     floor = floor[np.isfinite(floor)]
     if not len(floor) or np.median(floor) < storey.floor + settings.sill_m:
         return False
-    return bool((np.abs(floor - np.median(floor)) < settings.sill_m_off).mean() >= settings.sill_share)
+    return bool((np.abs(floor - np.median(floor)) < settings.sill_off_m).mean() >= settings.sill_share)

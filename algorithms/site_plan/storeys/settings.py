@@ -148,7 +148,7 @@ class CutSettings:
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
-    """An enclosed solid with faces on a smaller share of its rim is a shadow of the scan or a piece of furniture."""
+    """An enclosed solid with tall faces on a smaller share of its rim is furniture, or a shadow of the scan."""
     tall_m: float = 1.9
     """A face of a column or a core has surface above this height over the floor; furniture has not."""
     tall_levels: float = 2.0
@@ -187,7 +187,7 @@ class RoomSettings:
     """A niche whose floor is higher is a window: below it stands a parapet ..."""
     sill_share: float = 0.6
     """The sill lies over at least this share of the niche; shelves do not ..."""
-    sill_m_off: float = 0.06
+    sill_off_m: float = 0.06
     """... up to this."""
     deepest_parapet_m: float = 0.6
     """... unless it is deeper than walls are thick."""

@@ -14,6 +14,7 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
+from .outlines import parts_of
 from .regular import share_lines, square_up
 from .room_cells import find_rooms
 from .settings import StoreySettings
@@ -155,16 +156,16 @@ def _limits(division: Division, settings: StoreySettings) -> list:
     arrangement = division.arrangement
     bare = division.are_borders() & ~division.has_face(settings.cut)
     merged = linemerge([LineString(end.reshape(2, 2)) for end in arrangement.ends[bare]])
-    return [line for line in getattr(merged, "geoms", [merged]) if line.length >= settings.shortest_limit_m]
+    return [line for line in parts_of(merged) if line.length >= settings.shortest_limit_m]
 
 
 def _left_out(division: Division, sheets: list, settings: StoreySettings) -> list:
     """Return the sheets that stand free in rooms."""
     inside = division.rooms().buffer(-settings.free_faces.apart_m)
-    found = []
-    for sheet in sheets:
-        part = LineString([sheet.start, sheet.stop]).intersection(inside)
-        for line in getattr(part, "geoms", [part]):
-            if line.geom_type == "LineString" and line.length >= settings.free_faces.run_m:
-                found.append(LeftOut(line, "stands free in a room: furniture, a curtain or a door leaf"))
-    return found
+    lines = [LineString([sheet.start, sheet.stop]).intersection(inside) for sheet in sheets]
+    return [
+        LeftOut(part, "stands free in a room: furniture, a curtain or a door leaf")
+        for line in lines
+        for part in parts_of(line)
+        if part.length >= settings.free_faces.run_m
+    ]

@@ -4,7 +4,7 @@ import numpy as np
 from shapely.geometry import MultiPoint, Polygon
 from shapely.ops import unary_union
 
-from .outlines import tidy
+from .outlines import parts_of, tidy
 from .settings import WallSettings
 
 MITRE = 2
@@ -40,7 +40,7 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
-    parts = getattr(body, "geoms", [body])
+    parts = parts_of(body)
     return [
         tidy(part, settings)
         for part in parts
@@ -79,8 +79,8 @@ def behind(faces: np.ndarray, depth: float):
         begins.setdefault(start, []).append(number)
     for one, end in enumerate(map(tuple, ends.tolist())):
         for other in begins.get(end, ()):
-            if along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0:
-                parts.append(_corner(np.array(end), normal[one], normal[other], depth))
+            turns_away = along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0
+            parts += [_corner(np.array(end), normal[one], normal[other], depth)] if turns_away else []
     return unary_union([part for part in parts if part.is_valid and part.area > 0])
 
 
