@@ -4,12 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from shapely.geometry import LineString, Polygon
-from shapely.ops import unary_union
 
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import count_levels
-from .outlines import parts_of
+from .outlines import parts_of, united
 from .settings import FreeFaceSettings, LevelSettings
 
 PARALLEL = 0.98
@@ -164,4 +163,4 @@ def clear_before(faces: np.ndarray, depth: float):
         length = np.hypot(x1 - x0, y1 - y0)
         x, y = depth * (y1 - y0) / length, -depth * (x1 - x0) / length
         boxes.append(Polygon([(x0, y0), (x1, y1), (x1 + x, y1 + y), (x0 + x, y0 + y)]))
-    return unary_union(boxes)
+    return united(boxes)

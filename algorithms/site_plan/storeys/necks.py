@@ -3,10 +3,10 @@
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.polygon import orient
-from shapely.ops import split, unary_union
+from shapely.ops import split
 from shapely.prepared import prep
 
-from .outlines import parts_of
+from .outlines import parts_of, united
 from .settings import RoomSettings
 from .spaces import inner_width
 
@@ -29,10 +29,10 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
     wide = [core.buffer(1.01 * half) for core in cores.geoms]
     throats = [
         throat
-        for throat in parts_of(outline.difference(unary_union(wide)))
+        for throat in parts_of(outline.difference(united(wide)))
         if sum(throat.distance(core) < TOUCHING for core in wide) > 1
     ]
-    for chord in _narrow_chords(outline, unary_union(throats).buffer(0.3), settings.neck_m):
+    for chord in _narrow_chords(outline, united(throats).buffer(0.3), settings.neck_m):
         parts = [part for part in split(outline, chord).geoms if part.area > 1e-4]
         if len(parts) != 2:
             continue

@@ -1,7 +1,10 @@
 """Outlines without what says nothing: tiny edges, and corners that lie on a line."""
 
+from collections.abc import Iterable
+
 import numpy as np
 from shapely.geometry import Polygon
+from shapely.ops import unary_union
 
 from .settings import WallSettings
 
@@ -9,6 +12,13 @@ from .settings import WallSettings
 def parts_of(geometry) -> list:
     """Return the parts of a geometry that are not empty."""
     return [part for part in getattr(geometry, "geoms", [geometry]) if not part.is_empty]
+
+
+def united(geometries: Iterable):
+    """Return the union of the areas of geometries; lines and points in them are dropped."""
+    polygons = [part for geometry in geometries for part in parts_of(geometry) if part.geom_type == "Polygon"]
+    # An older shapely crashes on collections in a union.
+    return unary_union(polygons) if polygons else Polygon()
 
 
 def tidy(outline: Polygon, settings: WallSettings = WallSettings()) -> Polygon:

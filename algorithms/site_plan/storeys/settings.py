@@ -148,7 +148,7 @@ class CutSettings:
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
-    """An enclosed solid with tall faces on a smaller share of its rim is furniture, or a shadow of the scan."""
+    """An enclosed solid with tall faces on less of its rim is furniture, or a shadow of the scan."""
     tall_m: float = 1.9
     """A face of a column or a core has surface above this height over the floor; furniture has not."""
     tall_levels: float = 2.0

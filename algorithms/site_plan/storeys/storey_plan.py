@@ -6,7 +6,7 @@ from typing import Optional
 
 import numpy as np
 from shapely.geometry import LineString, Polygon
-from shapely.ops import linemerge, unary_union
+from shapely.ops import linemerge
 
 from ...progress import Progress
 from .division import Division, divide
@@ -14,7 +14,7 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
-from .outlines import parts_of
+from .outlines import parts_of, united
 from .regular import share_lines, square_up
 from .room_cells import find_rooms
 from .settings import StoreySettings
@@ -115,7 +115,7 @@ def make_storey_plan(
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
     walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
     inside = division.rooms()
-    region = unary_union([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
+    region = united([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
     return StoreyPlan(
         tuple(walls),
         tuple(rooms),
@@ -146,7 +146,7 @@ def _walls(
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
     if len(thin):
-        solid = unary_union([solid, behind(thin, settings.walls.strip_m)])
+        solid = united([solid, behind(thin, settings.walls.strip_m)])
     bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 

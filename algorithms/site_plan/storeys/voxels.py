@@ -194,7 +194,7 @@ def _fit_planes(xyz, buckets, radius):
 
 @njit(nogil=True, cache=True)
 def _thinnest(a, b, c, d, e, f, direction):
-    """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f) and put its vector into `direction`."""
+    """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
     mean = (a + d + f) / 3.0
     p1 = b * b + c * c + e * e
     p = np.sqrt(((a - mean) ** 2 + (d - mean) ** 2 + (f - mean) ** 2 + 2.0 * p1) / 6.0)
