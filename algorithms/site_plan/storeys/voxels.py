@@ -121,7 +121,7 @@ def _spacing(xyz: np.ndarray) -> float:
         chosen = xyz
     places = chosen[:: max(len(chosen) // PLACES, 1)]
     distance = cKDTree(chosen).query(places, NEIGHBOURS + 1)[0][:, -1]
-    return float(np.median(distance)) / np.sqrt(2.0)
+    return float(np.median(distance) / np.sqrt(2.0))
 
 
 def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
