@@ -9,6 +9,10 @@ class VoxelSettings:
 
     edge_m: float = 0.02
     """A fifth of a thin partition."""
+    apart_m: float = 10.0
+    """Parts of a cloud farther apart than this ..."""
+    stray_share: float = 0.01
+    """... are stray if they hold less than this share of it."""
     normal_radius_m: float = 0.05
     """Wider than the profile of a skirting, narrower than a jamb."""
     normal_radius_spacings: float = 2.0

@@ -7,6 +7,7 @@ import numpy as np
 from numba import njit
 from scipy.spatial import cKDTree
 
+from .linking import label_linked
 from .settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -55,7 +56,7 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
         Points, metres, relative to a local origin.
     settings : VoxelSettings
     """
-    xyz = _means(chunks, settings.edge_m)
+    xyz = _without_strays(_means(chunks, settings.edge_m), settings)
     if len(xyz) < NEIGHBOURS + 1:
         return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
     spacing = max(_spacing(xyz), settings.edge_m)
@@ -89,6 +90,25 @@ def _means(chunks: Iterable, edge: float) -> np.ndarray:
             added = _reduced(_packed(index), left)
             keys, sums = _reduced(np.concatenate([keys, added[0]]), np.concatenate([sums, added[1]]))
     return _unpacked(keys) * edge + sums[:, :3].astype(float) / np.maximum(sums[:, 3:], 1)
+
+
+def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
+    """Drop the small parts that lie far from the rest: reflections put points a kilometre away."""
+    if not len(xyz):
+        return xyz
+    blocks, member = np.unique(
+        np.floor(xyz[:, :2] / settings.apart_m).astype(int), axis=0, return_inverse=True
+    )
+    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    around = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+    pairs = [
+        (i, number[x + dx, y + dy])
+        for (x, y), i in number.items()
+        for dx, dy in around
+        if (x + dx, y + dy) in number
+    ]
+    part = label_linked(*np.array(pairs).T, len(blocks))[member.ravel()]
+    return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
 
 
 def _packed(index: np.ndarray) -> np.ndarray:
