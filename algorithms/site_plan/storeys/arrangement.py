@@ -8,6 +8,7 @@ from rasterio.features import rasterize, shapes
 from scipy import ndimage
 from shapely.affinity import affine_transform
 from shapely.geometry import LineString, box, shape
+from shapely.geometry.polygon import orient
 from shapely.ops import polygonize, unary_union
 
 from .footprint import Footprint
@@ -19,7 +20,8 @@ OUTSIDE = -1
 """Number of the cell beyond the frame."""
 
 CORE_SEEN, CORE_KNOWN = 0.2, 0.4
-"""A cell is the core of a wall if less than this share of what is known was seen, and more than this is known."""
+"""A cell is the core of a wall if less than the first share of what is known was seen, and more than
+the second share is known."""
 
 ON_LINE = 1e-4
 """A border lies on a line if both its ends are so near to it, metres."""
@@ -61,20 +63,14 @@ def arrange(lines: Iterable, frame: Frame) -> Arrangement:
     cells = list(polygonize(unary_union([rim.exterior, *(line.intersection(rim) for line in lines)])))
     starts, stops, owner = [], [], []
     for number, cell in enumerate(cells):
+        # The cell lies to the left of all its rings.
+        cell = orient(cell)
         for ring in (cell.exterior, *cell.interiors):
             corners = np.asarray(ring.coords)
-            # Exterior rings run one way and interior rings the other in one polygon.
-            if _is_clockwise(corners) == (ring is cell.exterior):
-                corners = corners[::-1]
             starts.append(corners[:-1])
             stops.append(corners[1:])
             owner.append(np.full(len(corners) - 1, number))
     return _paired(cells, np.hstack([np.concatenate(starts), np.concatenate(stops)]), np.concatenate(owner))
-
-
-def _is_clockwise(corners: np.ndarray) -> bool:
-    x, y = corners.T
-    return float(np.dot(x[:-1], y[1:]) - np.dot(x[1:], y[:-1])) < 0.0
 
 
 def _paired(cells: list, edges: np.ndarray, owner: np.ndarray) -> Arrangement:

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from shapely.ops import unary_union
 
 from .arrangement import (
     Arrangement,
@@ -18,6 +17,7 @@ from .evidence import UprightsAlong
 from .footprint import Footprint
 from .linking import label_linked
 from .minimum_cut import minimum_cut
+from .outlines import united
 from .settings import CutSettings, LevelSettings
 
 
@@ -52,7 +52,7 @@ class Division:
 
     def area(self, cells: np.ndarray):
         """Return the area of cells, given as numbers."""
-        return unary_union([self.arrangement.cells[cell] for cell in cells])
+        return united([self.arrangement.cells[cell] for cell in cells])
 
     def rooms(self):
         """Return all rooms together."""

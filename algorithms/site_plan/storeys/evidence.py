@@ -54,9 +54,8 @@ class UprightsAlong:
         along = (ends[:, 2:] - ends[:, :2]) / np.maximum(length, 1e-9)[:, None]
         xy = ends[line, :2] + share[:, None] * (ends[line, 2:] - ends[line, :2]) - self.corner
         half = np.maximum(length / count / 2, self.reach)[line]
-        bits = _look(
-            self.number, self.pixel, self.xy, self.normal, self.levels, xy, along[line], half, self.beside, self.least
-        )  # fmt: skip
+        pixels = (self.number, self.pixel, self.xy, self.normal, self.levels)
+        bits = _look(*pixels, xy, along[line], half, self.beside, self.least)
         return bits, line
 
     def mean_levels(self, ends: np.ndarray, mask: int = -1) -> np.ndarray:

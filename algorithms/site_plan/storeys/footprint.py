@@ -20,8 +20,8 @@ class Footprint:
     weight : ndarray of float32, shape (rows, columns)
         0 (nothing was seen) to 1; nan where upright surfaces make it unknown.
     floor, ceiling : ndarray of float32, shape (rows, columns)
-        Height of the lowest and of the highest flat surface below and above the middle of the storey; nan where
-        none was seen.
+        Heights of the lowest flat surface below `top_m` and of the highest in reach of a ceiling, metres; nan
+        where none was seen.
     """
 
     frame: Frame

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from shapely.geometry import LineString, Polygon
-from shapely.ops import unary_union
 
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import count_levels
+from .outlines import parts_of, united
 from .settings import FreeFaceSettings, LevelSettings
 
 PARALLEL = 0.98
@@ -39,7 +39,8 @@ def free_faces(
     Returns
     -------
     ndarray of float64, shape (n, 4)
-        x, y of both ends; the solid lies to the left: towards the other face of the wall, or where less was seen.
+        x, y of both ends; the solid lies to the left: towards the other face of the wall, else where less
+        was seen.
     """
     within = rooms.buffer(settings.apart_m)
     low, high = round(settings.from_m / levels.level_m), round(settings.to_m / levels.level_m)
@@ -48,7 +49,7 @@ def free_faces(
     found = []
     for sheet in sheets:
         outside = LineString([sheet.start, sheet.stop]).difference(within)
-        for part in getattr(outside, "geoms", [outside]):
+        for part in parts_of(outside):
             if part.length >= settings.run_m:
                 found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
     return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
@@ -73,7 +74,7 @@ def screens(
     found = []
     for sheet in sheets:
         free = LineString([sheet.start, sheet.stop]).intersection(inside)
-        for part in getattr(free, "geoms", [free]):
+        for part in parts_of(free):
             if part.length >= settings.screen_m:
                 ends = np.asarray(part.coords)
                 runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
@@ -121,7 +122,7 @@ def _turned(
 
 
 def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
-    """Return how far faces of rooms turn their solid to this one: positive from the left, negative from the right."""
+    """Return how far faces of rooms turn their solid to this one: positive from the left, else negative."""
     beside = _overlaps(run, faces, along)
     # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
     facing = (beside.cosine > PARALLEL) & (beside.overlap > 0) & (np.abs(beside.across) < thickest)
@@ -162,4 +163,4 @@ def clear_before(faces: np.ndarray, depth: float):
         length = np.hypot(x1 - x0, y1 - y0)
         x, y = depth * (y1 - y0) / length, -depth * (x1 - x0) / length
         boxes.append(Polygon([(x0, y0), (x1, y1), (x1 + x, y1 + y), (x0 + x, y0 + y)]))
-    return unary_union(boxes)
+    return united(boxes)

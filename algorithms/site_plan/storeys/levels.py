@@ -6,11 +6,15 @@ from typing import Optional
 import numpy as np
 from numba import njit
 
+from ...errors import InputError
 from .settings import LevelSettings
 from .voxels import Voxels
 
 LAYER = 0.05
 """Height of the layers that floor and ceiling are looked for in, metres."""
+
+MAX_PIXELS = 200_000_000
+"""Largest frame: a square of 280 m with pixels of 2 cm."""
 
 LEVELS = 64
 """Number of levels that a pixel can note."""
@@ -142,8 +146,20 @@ def count_levels(bits: np.ndarray) -> np.ndarray:
 
 
 def frame_around(voxels: Voxels, pixel: float, margin: float) -> Frame:
-    """Return a frame that holds all voxels and a margin, metres."""
+    """Return a frame that holds all voxels and a margin, metres.
+
+    Raises
+    ------
+    InputError
+        If it would hold more than `MAX_PIXELS` pixels.
+    """
     low = np.floor((voxels.xyz[:, :2].min(axis=0) - margin) / pixel)
     high = np.ceil((voxels.xyz[:, :2].max(axis=0) + margin) / pixel)
-    columns, rows = (high - low).astype(int)
-    return Frame(low[0] * pixel, low[1] * pixel, pixel, (int(rows), int(columns)))
+    columns, rows = (high - low).astype(int).tolist()
+    if columns * rows > MAX_PIXELS:
+        width, height = columns * pixel, rows * pixel
+        raise InputError(
+            f"The storey would be {width:.0f} x {height:.0f} m, too large for a plan of rooms: cut the "
+            "cloud to a building, or check that its coordinates are metres."
+        )
+    return Frame(float(low[0] * pixel), float(low[1] * pixel), pixel, (rows, columns))

@@ -9,6 +9,10 @@ class VoxelSettings:
 
     edge_m: float = 0.02
     """A fifth of a thin partition."""
+    apart_m: float = 10.0
+    """Parts of a cloud farther apart than this ..."""
+    stray_share: float = 0.01
+    """... are stray if they hold less than this share of it."""
     normal_radius_m: float = 0.05
     """Wider than the profile of a skirting, narrower than a jamb."""
     normal_radius_spacings: float = 2.0
@@ -143,12 +147,12 @@ class CutSettings:
     """Height over the floor that the plan is cut at."""
     cut_levels: float = 1.0
     """A wall has surface on so many levels above the cut: a balustrade has none."""
-    body_levels: float = 2.0
+    body_levels: float = 1.0
     """The sheet of a wall has surface on so many levels below `tall_m`: a beam has none."""
     off_sheet_levels: float = 8.0
     """A border that lies on no sheet needs so many: clutter has rough outlines."""
     shadow_share: float = 0.35
-    """An enclosed solid with faces on a smaller share of its rim is a shadow of the scan or a piece of furniture."""
+    """An enclosed solid with tall faces on less of its rim is furniture, or a shadow of the scan."""
     tall_m: float = 1.9
     """A face of a column or a core has surface above this height over the floor; furniture has not."""
     tall_levels: float = 2.0
@@ -187,7 +191,7 @@ class RoomSettings:
     """A niche whose floor is higher is a window: below it stands a parapet ..."""
     sill_share: float = 0.6
     """The sill lies over at least this share of the niche; shelves do not ..."""
-    sill_m_off: float = 0.06
+    sill_off_m: float = 0.06
     """... up to this."""
     deepest_parapet_m: float = 0.6
     """... unless it is deeper than walls are thick."""
@@ -199,8 +203,8 @@ class WallSettings:
 
     thickest_m: float = 0.6
     """Two faces farther apart are two walls, or the outsides of a core."""
-    strip_m: float = 0.02
-    """Width of a wall that one face was seen of: its back is not known, and should not seem to be."""
+    strip_m: float = 0.06
+    """Width of a wall that one face was seen of."""
     shortest_m: float = 0.005
     """Outlines have no shorter edges."""
     straight_m: float = 0.001
@@ -244,32 +248,6 @@ class FreeFaceSettings:
 
 
 @dataclass(frozen=True)
-class RoofSettings:
-    """Where a storey lies under a roof."""
-
-    cell_m: float = 0.2
-    """Cells in which a ceiling was seen or not."""
-    closed_m: float = 0.6
-    """Gaps in the ceiling that are closed: lamps, beams, and walls on which it rests."""
-    smallest_m2: float = 2.0
-    """Smaller patches are not rooms: canopies, lintels, reflections."""
-
-
-@dataclass(frozen=True)
-class JoiningSettings:
-    """How the plan of a storey meets that of the density image."""
-
-    wall_reach_m: float = 1.0
-    """Walls farther from every room under a ceiling stand outside."""
-    margin_m: float = 0.5
-    """So far around rooms and walls of a storey the density image decides nothing: half a thick wall."""
-    shortest_rest_m: float = 0.5
-    """Shorter ends of walls of the density image are what the margin left of walls of the storey."""
-    own_share: float = 0.5
-    """A closed space with more of its area in the region of a storey is a room of the storey."""
-
-
-@dataclass(frozen=True)
 class StoreySettings:
     """All that the plan of a storey is made with."""
 
@@ -281,8 +259,6 @@ class StoreySettings:
     rooms: RoomSettings = RoomSettings()
     free_faces: FreeFaceSettings = FreeFaceSettings()
     walls: WallSettings = WallSettings()
-    roof: RoofSettings = RoofSettings()
-    joining: JoiningSettings = JoiningSettings()
     margin_m: float = 1.0
     """Width of the rim around the points."""
     shortest_limit_m: float = 0.1

@@ -1,6 +1,6 @@
 """Sheets: straight upright surfaces, found in the points wherever they stand."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
@@ -220,61 +220,3 @@ def _filled(along: np.ndarray, length: float, bits: np.ndarray, step: float) -> 
     filled = np.zeros(count, np.uint64)
     np.bitwise_or.at(filled, station, bits)
     return float(count_levels(filled).mean())
-
-
-def share_lines(sheets: list, settings: SheetSettings = SheetSettings()) -> list:
-    """Move sheets that lie on one line, though apart, onto it."""
-    sheets = sorted(sheets, key=lambda sheet: -sheet.length)
-    group = list(range(len(sheets)))
-    lines = [_Shared([sheet]) for sheet in sheets]
-    least = np.cos(np.radians(settings.shared_turn_deg))
-    for i, sheet in enumerate(sheets):
-        for j in range(i):
-            host = lines[group[j]]
-            if group[j] != j or host is None or abs(host.direction @ sheet.direction) < least:
-                continue
-            if host.gap(sheet) <= settings.shared_gap_m and host.accepts(sheet, settings.shared_offset_m):
-                lines[j] = _Shared([*host.sheets, sheet])
-                group[i] = j
-                break
-    return [host.project(sheet) for k, host in enumerate(lines) if group[k] == k for sheet in host.sheets]
-
-
-class _Shared:
-    """The common line of some sheets."""
-
-    def __init__(self, sheets: list) -> None:
-        self.sheets = sheets
-        ends = np.array([end for sheet in sheets for end in (sheet.start, sheet.stop)])
-        weight = np.repeat([sheet.length * sheet.levels for sheet in sheets], 2)
-        self.middle = weight @ ends / weight.sum()
-        away = (ends - self.middle) * np.sqrt(weight)[:, None]
-        self.direction = np.linalg.svd(away, full_matrices=False)[2][0]
-
-    def gap(self, sheet: Sheet) -> float:
-        """Return the gap between a sheet and the nearest of these along the line."""
-        own = sorted((end - self.middle) @ self.direction for end in (sheet.start, sheet.stop))
-        gaps = []
-        for other in self.sheets:
-            low, high = sorted((end - self.middle) @ self.direction for end in (other.start, other.stop))
-            gaps.append(max(own[0] - high, low - own[1]))
-        return min(gaps)
-
-    def accepts(self, sheet: Sheet, offset: float) -> bool:
-        """Tell whether all sheets stay on the line when one more is added."""
-        together = _Shared([*self.sheets, sheet])
-        return all(
-            together.distance(end) <= offset for one in together.sheets for end in (one.start, one.stop)
-        )
-
-    def distance(self, place: np.ndarray) -> float:
-        x, y = place - self.middle
-        return abs(x * self.direction[1] - y * self.direction[0])
-
-    def project(self, sheet: Sheet) -> Sheet:
-        """Return the sheet on the line."""
-        start, stop = (
-            self.middle + ((end - self.middle) @ self.direction) * self.direction
-            for end in (sheet.start, sheet.stop)
-        )
-        return replace(sheet, start=start, stop=stop)

@@ -1,13 +1,12 @@
 """The plan of a storey: faces and seen floor first."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
-from shapely.ops import linemerge, unary_union
+from shapely.ops import linemerge
 
 from ...progress import Progress
 from .division import Division, divide
@@ -15,14 +14,14 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
-from .roof import roofed
-from .room_cells import Room, find_rooms
-from .regular import square_up
+from .outlines import parts_of, united
+from .regular import share_lines, square_up
+from .room_cells import find_rooms
 from .settings import StoreySettings
-from .sheets import Sheet, find_sheets, share_lines
+from .sheets import find_sheets
 from .voxels import make_voxels
 from .wall_bodies import behind, wall_bodies
-from .walls import Wall, describe_walls
+from .walls import describe_walls
 
 
 @dataclass(frozen=True)
@@ -54,7 +53,7 @@ class StoreyPlan:
     sheets : tuple of Sheet
         All straight upright surfaces.
     region : Polygon or MultiPolygon
-        Where a ceiling was seen.
+        Where this plan decides: rooms and their walls, and a margin.
     storey : Storey or None
         Heights of floor and ceiling; None if neither was seen, then all is empty.
     spacing_m, noise_m : float
@@ -70,21 +69,6 @@ class StoreyPlan:
     storey: Optional[Storey]
     spacing_m: float
     noise_m: float
-
-    def moved(self, x: float, y: float) -> "StoreyPlan":
-        """Return the plan shifted in plan, metres."""
-        shift = np.array([x, y])
-        return replace(
-            self,
-            walls=tuple(replace(wall, outline=translate(wall.outline, x, y)) for wall in self.walls),
-            rooms=tuple(replace(room, outline=translate(room.outline, x, y)) for room in self.rooms),
-            limits=tuple(translate(line, x, y) for line in self.limits),
-            left_out=tuple(replace(item, line=translate(item.line, x, y)) for item in self.left_out),
-            sheets=tuple(
-                replace(sheet, start=sheet.start + shift, stop=sheet.stop + shift) for sheet in self.sheets
-            ),
-            region=translate(self.region, x, y),
-        )
 
 
 def make_storey_plan(
@@ -107,12 +91,13 @@ def make_storey_plan(
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.4, "Finding faces")
     uprights = find_uprights(
-        voxels, storey.floor, frame_around(voxels, settings.levels.pixel_m, settings.margin_m), settings.levels
+        voxels,
+        storey.floor,
+        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
+        settings.levels,
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
-    if not sheets:
-        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.6, "Finding floor and ceiling")
     frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
     footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
@@ -129,7 +114,8 @@ def make_storey_plan(
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
     walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
-    region = roofed(footprint, settings.roof)
+    inside = division.rooms()
+    region = united([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
     return StoreyPlan(
         tuple(walls),
         tuple(rooms),
@@ -160,7 +146,7 @@ def _walls(
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
     if len(thin):
-        solid = unary_union([solid, behind(thin, settings.walls.strip_m)])
+        solid = united([solid, behind(thin, settings.walls.strip_m)])
     bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 
@@ -170,16 +156,16 @@ def _limits(division: Division, settings: StoreySettings) -> list:
     arrangement = division.arrangement
     bare = division.are_borders() & ~division.has_face(settings.cut)
     merged = linemerge([LineString(end.reshape(2, 2)) for end in arrangement.ends[bare]])
-    return [line for line in getattr(merged, "geoms", [merged]) if line.length >= settings.shortest_limit_m]
+    return [line for line in parts_of(merged) if line.length >= settings.shortest_limit_m]
 
 
 def _left_out(division: Division, sheets: list, settings: StoreySettings) -> list:
     """Return the sheets that stand free in rooms."""
     inside = division.rooms().buffer(-settings.free_faces.apart_m)
-    found = []
-    for sheet in sheets:
-        part = LineString([sheet.start, sheet.stop]).intersection(inside)
-        for line in getattr(part, "geoms", [part]):
-            if line.geom_type == "LineString" and line.length >= settings.free_faces.run_m:
-                found.append(LeftOut(line, "stands free in a room: furniture, a curtain or a door leaf"))
-    return found
+    lines = [LineString([sheet.start, sheet.stop]).intersection(inside) for sheet in sheets]
+    return [
+        LeftOut(part, "stands free in a room: furniture, a curtain or a door leaf")
+        for line in lines
+        for part in parts_of(line)
+        if part.length >= settings.free_faces.run_m
+    ]

@@ -7,6 +7,7 @@ import numpy as np
 from numba import njit
 from scipy.spatial import cKDTree
 
+from .linking import label_linked
 from .settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -17,8 +18,8 @@ BITS = 21
 NEIGHBOURS = 6
 """The distance to this neighbour is about 1.4 times the spacing of a square pattern on a surface."""
 
-SAMPLE = 4000
-"""Number of voxels that the spacing and the noise are measured on."""
+SAMPLE, FEWEST_SAMPLED, PLACES = 200_000, 20_000, 4000
+"""About so many voxels are searched for neighbours, not fewer than these, from so many places."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
         Points, metres, relative to a local origin.
     settings : VoxelSettings
     """
-    xyz = _means(chunks, settings.edge_m)
+    xyz = _without_strays(_means(chunks, settings.edge_m), settings)
     if len(xyz) < NEIGHBOURS + 1:
         return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
     spacing = max(_spacing(xyz), settings.edge_m)
@@ -75,27 +76,51 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
         normal[lonely] = more[lonely]
         surface[lonely] = thickness[lonely] <= settings.flatness * radius
     normal[~surface] = 0.0
-    return Voxels(xyz, normal.astype(np.float32), settings.edge_m, spacing, noise)
+    return Voxels(xyz, normal, settings.edge_m, spacing, noise)
 
 
 def _means(chunks: Iterable, edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
-    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4))
-    waiting = []
+    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
     for chunk in chunks:
         if len(chunk):
-            weighted = np.column_stack([chunk, np.ones(len(chunk))])
-            waiting.append(_reduced(_keys(chunk, edge), weighted))
-    if waiting:
-        keys, sums = (np.concatenate(part) for part in zip(*waiting))
-        keys, sums = _reduced(keys, sums)
-    return sums[:, :3] / sums[:, 3:]
+            index = np.floor(chunk / edge)
+            # Sums of what is left of the voxel's corner are small, so that four bytes hold them.
+            left = np.column_stack([chunk - index * edge, np.ones(len(chunk))]).astype(np.float32)
+            added = _reduced(_packed(index), left)
+            keys, sums = _reduced(np.concatenate([keys, added[0]]), np.concatenate([sums, added[1]]))
+    return _unpacked(keys) * edge + sums[:, :3].astype(float) / np.maximum(sums[:, 3:], 1)
 
 
-def _keys(xyz: np.ndarray, edge: float) -> np.ndarray:
-    """Return one number a voxel; neighbours in z have neighbouring numbers."""
-    index = np.floor(xyz / edge).astype(np.int64) + HALF_RANGE
-    return (index[:, 0] << 2 * BITS) | (index[:, 1] << BITS) | index[:, 2]
+def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
+    """Drop the small parts that lie far from the rest: reflections put points a kilometre away."""
+    if not len(xyz):
+        return xyz
+    blocks, member = np.unique(
+        np.floor(xyz[:, :2] / settings.apart_m).astype(int), axis=0, return_inverse=True
+    )
+    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    around = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+    pairs = [
+        (i, number[x + dx, y + dy])
+        for (x, y), i in number.items()
+        for dx, dy in around
+        if (x + dx, y + dy) in number
+    ]
+    part = label_linked(*np.array(pairs).T, len(blocks))[member.ravel()]
+    return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
+
+
+def _packed(index: np.ndarray) -> np.ndarray:
+    """Return one number for three whole ones, shape (n, 3); neighbours in z have neighbouring numbers."""
+    x, y, z = (index.astype(np.int64) + HALF_RANGE).T
+    return (x << 2 * BITS) | (y << BITS) | z
+
+
+def _unpacked(keys: np.ndarray) -> np.ndarray:
+    """Return the three whole numbers, shape (n, 3)."""
+    mask = (1 << BITS) - 1
+    return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
 
 
 def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
@@ -107,9 +132,16 @@ def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
 
 
 def _spacing(xyz: np.ndarray) -> float:
-    sample = xyz[:: max(len(xyz) // SAMPLE, 1)]
-    distance = cKDTree(xyz).query(sample, NEIGHBOURS + 1)[0][:, -1]
-    return float(np.median(distance)) / np.sqrt(2.0)
+    """Return the usual distance of neighbours, measured in columns of a metre all over the cloud."""
+    columns = np.floor(xyz[:, :2]).astype(np.int64) + HALF_RANGE
+    number = (columns[:, 0] << BITS) | columns[:, 1]
+    every = max(len(xyz) // SAMPLE, 1)
+    chosen = xyz[number % every == 0] if every > 1 else xyz
+    if len(chosen) < FEWEST_SAMPLED:
+        chosen = xyz
+    places = chosen[:: max(len(chosen) // PLACES, 1)]
+    distance = cKDTree(chosen).query(places, NEIGHBOURS + 1)[0][:, -1]
+    return float(np.median(distance) / np.sqrt(2.0))
 
 
 def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
@@ -120,7 +152,7 @@ def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
 
 def _normals(xyz: np.ndarray, radius: float) -> tuple:
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
-    buckets = _keys(xyz, radius)
+    buckets = _packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
     normal, thickness = _fit_planes(xyz[order], buckets[order], radius)
     back = np.empty_like(order)
@@ -132,8 +164,8 @@ def _normals(xyz: np.ndarray, radius: float) -> tuple:
 def _fit_planes(xyz, buckets, radius):
     """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
     count = len(xyz)
-    normal = np.zeros((count, 3))
-    thickness = np.full(count, np.inf)
+    normal = np.zeros((count, 3), np.float32)
+    thickness = np.full(count, np.inf, np.float32)
     one = np.int64(1)
     reach = radius * radius
     starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
@@ -182,7 +214,7 @@ def _fit_planes(xyz, buckets, radius):
 
 @njit(nogil=True, cache=True)
 def _thinnest(a, b, c, d, e, f, direction):
-    """Return the smallest eigenvalue of the symmetric matrix (a b c, b d e, c e f); its vector goes to `direction`."""
+    """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
     mean = (a + d + f) / 3.0
     p1 = b * b + c * c + e * e
     p = np.sqrt(((a - mean) ** 2 + (d - mean) ** 2 + (f - mean) ** 2 + 2.0 * p1) / 6.0)

@@ -2,8 +2,8 @@
 
 import numpy as np
 from shapely.geometry import MultiPoint, Polygon
-from shapely.ops import unary_union
 
+from .outlines import parts_of, tidy, united
 from .settings import WallSettings
 
 MITRE = 2
@@ -38,9 +38,13 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
-    body = unary_union([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
-    parts = getattr(body, "geoms", [body])
-    return [part for part in parts if part.geom_type == "Polygon" and part.area >= settings.smallest_m2]
+    body = united([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
+    parts = parts_of(body)
+    return [
+        tidy(part, settings)
+        for part in parts
+        if part.geom_type == "Polygon" and part.area >= settings.smallest_m2
+    ]
 
 
 def between(faces: np.ndarray, thickest: float):
@@ -57,7 +61,7 @@ def between(faces: np.ndarray, thickest: float):
         if opposite.any():
             own = behind(faces[sector == number], thickest)
             parts.append(own.intersection(behind(longer[opposite], thickest)))
-    return unary_union(parts)
+    return united(parts)
 
 
 def behind(faces: np.ndarray, depth: float):
@@ -74,9 +78,9 @@ def behind(faces: np.ndarray, depth: float):
         begins.setdefault(start, []).append(number)
     for one, end in enumerate(map(tuple, ends.tolist())):
         for other in begins.get(end, ()):
-            if along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0:
-                parts.append(_corner(np.array(end), normal[one], normal[other], depth))
-    return unary_union([part for part in parts if part.is_valid and part.area > 0])
+            turns_away = along[one, 0] * along[other, 1] - along[one, 1] * along[other, 0] < 0
+            parts += [_corner(np.array(end), normal[one], normal[other], depth)] if turns_away else []
+    return united([part for part in parts if part.is_valid and part.area > 0])
 
 
 def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float):

@@ -42,7 +42,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
 
 
 def _inner_corners(body: Polygon) -> tuple:
-    """Return the corners at which a body has more than half a turn inside, and the ways its sides go on there."""
+    """Return the corners with more than half a turn inside the body, and the ways that their sides go on."""
     corners, ways = [], []
     for ring, sign in ((body.exterior, 1), *((ring, -1) for ring in body.interiors)):
         xy = np.asarray(ring.coords)[:-1]
