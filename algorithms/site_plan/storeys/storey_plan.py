@@ -1,10 +1,11 @@
 """The plan of a storey: faces and seen floor first."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
+from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
 from shapely.ops import linemerge
 
@@ -16,6 +17,7 @@ from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
 from .outlines import parts_of, united
 from .regular import share_lines, square_up
+from .roof import roofed
 from .room_cells import find_rooms
 from .settings import StoreySettings
 from .sheets import find_sheets
@@ -53,7 +55,7 @@ class StoreyPlan:
     sheets : tuple of Sheet
         All straight upright surfaces.
     region : Polygon or MultiPolygon
-        Where this plan decides: rooms and their walls, and a margin.
+        Where a ceiling was seen.
     storey : Storey or None
         Heights of floor and ceiling; None if neither was seen, then all is empty.
     spacing_m, noise_m : float
@@ -69,6 +71,21 @@ class StoreyPlan:
     storey: Optional[Storey]
     spacing_m: float
     noise_m: float
+
+    def moved(self, x: float, y: float) -> "StoreyPlan":
+        """Return the plan shifted in plan, metres."""
+        shift = np.array([x, y])
+        return replace(
+            self,
+            walls=tuple(replace(wall, outline=translate(wall.outline, x, y)) for wall in self.walls),
+            rooms=tuple(replace(room, outline=translate(room.outline, x, y)) for room in self.rooms),
+            limits=tuple(translate(line, x, y) for line in self.limits),
+            left_out=tuple(replace(item, line=translate(item.line, x, y)) for item in self.left_out),
+            sheets=tuple(
+                replace(sheet, start=sheet.start + shift, stop=sheet.stop + shift) for sheet in self.sheets
+            ),
+            region=translate(self.region, x, y),
+        )
 
 
 def make_storey_plan(
@@ -114,8 +131,7 @@ def make_storey_plan(
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
     walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
-    inside = division.rooms()
-    region = united([inside, *(wall.outline for wall in walls)]).buffer(settings.margin_m / 2)
+    region = roofed(footprint, settings.roof)
     return StoreyPlan(
         tuple(walls),
         tuple(rooms),
