@@ -203,8 +203,8 @@ class WallSettings:
 
     thickest_m: float = 0.6
     """Two faces farther apart are two walls, or the outsides of a core."""
-    strip_m: float = 0.06
-    """Width of a wall that one face was seen of."""
+    strip_m: float = 0.02
+    """Width of a wall that one face was seen of: its back is not known, and should not seem to be."""
     shortest_m: float = 0.005
     """Outlines have no shorter edges."""
     straight_m: float = 0.001
@@ -248,6 +248,32 @@ class FreeFaceSettings:
 
 
 @dataclass(frozen=True)
+class RoofSettings:
+    """Where a storey lies under a roof."""
+
+    cell_m: float = 0.2
+    """Cells in which a ceiling was seen or not."""
+    closed_m: float = 0.6
+    """Gaps in the ceiling that are closed: lamps, beams, and walls on which it rests."""
+    smallest_m2: float = 2.0
+    """Smaller patches are not rooms: canopies, lintels, reflections."""
+
+
+@dataclass(frozen=True)
+class JoiningSettings:
+    """How the plan of a storey meets that of the density image."""
+
+    wall_reach_m: float = 1.0
+    """Walls farther from every room under a ceiling stand outside."""
+    margin_m: float = 0.5
+    """So far around rooms and walls of a storey the density image decides nothing: half a thick wall."""
+    shortest_rest_m: float = 0.5
+    """Shorter ends of walls of the density image are what the margin left of walls of the storey."""
+    own_share: float = 0.5
+    """A closed space with more of its area in the region of a storey is a room of the storey."""
+
+
+@dataclass(frozen=True)
 class StoreySettings:
     """All that the plan of a storey is made with."""
 
@@ -259,6 +285,8 @@ class StoreySettings:
     rooms: RoomSettings = RoomSettings()
     free_faces: FreeFaceSettings = FreeFaceSettings()
     walls: WallSettings = WallSettings()
+    roof: RoofSettings = RoofSettings()
+    joining: JoiningSettings = JoiningSettings()
     margin_m: float = 1.0
     """Width of the rim around the points."""
     shortest_limit_m: float = 0.1

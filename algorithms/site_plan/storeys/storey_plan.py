@@ -115,6 +115,8 @@ def make_storey_plan(
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
+    if not sheets:
+        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.6, "Finding floor and ceiling")
     frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
     footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)

@@ -124,7 +124,7 @@ def _thickness(edges: np.ndarray, length: np.ndarray, settings: WallSettings) ->
             near, far = sorted((edges[j, k : k + 2] - edges[i, :2]) @ along for k in (0, 2))
             overlap = min(far, length[i]) - max(near, 0.0)
             away = ((edges[j, :2] + edges[j, 2:]) / 2 - edges[i, :2]) @ np.array([-along[1], along[0]])
-            if overlap > 0 and settings.strip_m * 0.5 < abs(away) <= settings.thickest_m:
+            if overlap > 0 and 1.5 * settings.strip_m < abs(away) <= settings.thickest_m:
                 total += overlap * abs(away)
                 weight += overlap
     return total / weight if weight else None
