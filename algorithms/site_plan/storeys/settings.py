@@ -257,6 +257,8 @@ class RoofSettings:
     """Gaps in the ceiling that are closed: lamps, beams, and walls on which it rests."""
     smallest_m2: float = 2.0
     """Smaller patches are not rooms: canopies, lintels, reflections."""
+    around_m: float = 3.0
+    """Walls, reveals and facades of a storey stand within this of its ceiling."""
 
 
 @dataclass(frozen=True)

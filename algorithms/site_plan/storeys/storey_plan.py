@@ -17,7 +17,7 @@ from .free_faces import clear_before, free_faces, screens
 from .levels import Storey, find_storey, find_uprights, frame_around
 from .outlines import parts_of, united
 from .regular import share_lines, square_up
-from .roof import roofed
+from .roof import near_roof, roofed
 from .room_cells import find_rooms
 from .settings import StoreySettings
 from .sheets import find_sheets
@@ -106,6 +106,8 @@ def make_storey_plan(
     storey = find_storey(voxels, settings.levels)
     if storey is None:
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+    if storey.ceiling is not None:
+        voxels = near_roof(voxels, storey, settings.levels, settings.roof)
     progress.update(0.4, "Finding faces")
     uprights = find_uprights(
         voxels,
