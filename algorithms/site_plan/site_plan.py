@@ -29,8 +29,8 @@ def make_site_plan(
     """Make the plan of a site.
 
     The cloud is thinned and a density image is computed, walls are extracted from it, and their outlines are
-    moved onto the faces that the points show. Where a ceiling was seen, rooms and walls come from the faces and
-    the floor of the storey instead. Axes follow from the outlines, and so do rooms in the open.
+    moved onto the faces that the points show. Where a ceiling was seen, rooms and walls come from the faces
+    and the floor of the storey instead. Axes follow from the outlines, and so do rooms in the open.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ class UprightsAlong:
         self.levels = uprights.levels
         self.beside, self.step, self.reach, self.least = beside, step, reach, np.cos(np.radians(turn_deg))
 
-    def stations(self, ends: np.ndarray) -> tuple:
+    def stations(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the levels at stations along lines.
 
         Parameters
@@ -66,7 +66,18 @@ class UprightsAlong:
 
 
 @njit(nogil=True, cache=True)
-def _look(number, pixel, xy, normal, levels, places, along, half, beside, least):
+def _look(
+    number: np.ndarray,
+    pixel: float,
+    xy: np.ndarray,
+    normal: np.ndarray,
+    levels: np.ndarray,
+    places: np.ndarray,
+    along: np.ndarray,
+    half: np.ndarray,
+    beside: float,
+    least: float,
+) -> np.ndarray:
     """Gather the levels of the pixels around each place."""
     bits = np.zeros(len(places), np.uint64)
     rows, columns = number.shape

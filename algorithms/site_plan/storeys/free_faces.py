@@ -1,23 +1,26 @@
 """Faces that bound no room: facades, and walls beyond what was seen of floor and ceiling."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import count_levels
 from .outlines import parts_of, united
 from .settings import FreeFaceSettings, LevelSettings
+from .sheets import Sheet
 
 PARALLEL = 0.98
 """Cosine of the largest angle between the two faces of a wall."""
 
 
 def free_faces(
-    sheets: list,
-    rooms,
+    sheets: Sequence[Sheet],
+    rooms: BaseGeometry,
     faces: np.ndarray,
     uprights: UprightsAlong,
     footprint: Footprint,
@@ -28,7 +31,7 @@ def free_faces(
 
     Parameters
     ----------
-    sheets : list of Sheet
+    sheets : sequence of Sheet
     rooms : Polygon or MultiPolygon
     faces : ndarray of float64, shape (n, 4)
         Faces that bound rooms; the solid lies to the left.
@@ -56,8 +59,8 @@ def free_faces(
 
 
 def screens(
-    sheets: list,
-    rooms,
+    sheets: Sequence[Sheet],
+    rooms: BaseGeometry,
     faces: np.ndarray,
     uprights: UprightsAlong,
     settings: FreeFaceSettings = FreeFaceSettings(),
@@ -91,7 +94,9 @@ def _has_wall_behind(run: np.ndarray, faces: np.ndarray, reach: float) -> bool:
     return bool(((beside.cosine > PARALLEL) & (beside.overlap > 0.2) & (np.abs(beside.across) < reach)).any())
 
 
-def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float) -> list:
+def _full_runs(
+    ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float
+) -> list[np.ndarray]:
     """Return the parts of a line on which enough levels are filled; each x, y, x, y."""
     bits, _ = uprights.stations(np.r_[ends[0], ends[-1]][None])
     full = count_levels(bits & np.uint64(mask)) >= fewest
@@ -156,7 +161,7 @@ def _seen(footprint: Footprint, places: np.ndarray) -> float:
     return float(np.nansum(footprint.weight[row[inside], column[inside]]))
 
 
-def clear_before(faces: np.ndarray, depth: float):
+def clear_before(faces: np.ndarray, depth: float) -> BaseGeometry:
     """Return the area right before faces, which is no wall."""
     boxes = []
     for x0, y0, x1, y1 in faces:

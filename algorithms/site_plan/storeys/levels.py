@@ -36,9 +36,9 @@ class Frame:
     left: float
     bottom: float
     pixel_m: float
-    shape: tuple
+    shape: tuple[int, int]
 
-    def places(self, xy: np.ndarray) -> tuple:
+    def places(self, xy: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return row and column of positions, shape (n, 2)."""
         column = np.floor((xy[:, 0] - self.left) / self.pixel_m).astype(np.int64)
         row = np.floor((xy[:, 1] - self.bottom) / self.pixel_m).astype(np.int64)
@@ -126,7 +126,7 @@ def find_uprights(
 
 
 @njit(nogil=True, cache=True)
-def _by_pixel(values, level, starts):
+def _by_pixel(values: np.ndarray, level: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean values of each pixel and its levels."""
     count = len(starts) - 1
     sums = np.zeros((count, values.shape[1]))

@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
+from shapely.geometry.base import BaseGeometry
 
+from ...geometry.linked_parts import label_linked
 from .division import Division
 from .evidence import UprightsAlong
-from .linking import label_linked
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
 
@@ -20,13 +21,13 @@ class Parts:
 
     Attributes
     ----------
-    outlines : list of Polygon
-    over_sill : list of bool
+    outlines : tuple of Polygon or MultiPolygon
+    over_sill : tuple of bool
         Whether a part is cut off by the face of a parapet.
     """
 
-    outlines: list
-    over_sill: list
+    outlines: tuple[BaseGeometry, ...]
+    over_sill: tuple[bool, ...]
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class _Openings:
 
     open: np.ndarray
     over_sill: np.ndarray
-    shut: list
+    shut: list[np.ndarray]
 
 
 def cut_at_openings(
@@ -59,10 +60,15 @@ def cut_at_openings(
         division, np.flatnonzero(inside & (division.tracks.sheet >= 0)), uprights, settings, levels
     )
     linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
-    part = label_linked(*sides[linked].T, len(room))
+    part = _linked(sides[linked], len(room))
     numbers = np.unique(part[room])
-    outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
-    return Parts(outlines, np.isin(numbers, part[sides[found.over_sill]]).tolist())
+    outlines = tuple(division.area(np.flatnonzero((part == number) & room)) for number in numbers)
+    return Parts(outlines, tuple(np.isin(numbers, part[sides[found.over_sill]]).tolist()))
+
+
+def _linked(sides: np.ndarray, count: int) -> np.ndarray:
+    first, second = sides.T
+    return label_linked(first, second, count)
 
 
 def _openings(
@@ -97,7 +103,7 @@ def _openings(
 
 
 def _cut_at_shut_doors(
-    division: Division, linked: np.ndarray, shut: list, settings: RoomSettings
+    division: Division, linked: np.ndarray, shut: list[np.ndarray], settings: RoomSettings
 ) -> np.ndarray:
     """Return which borders link cells, less the shut openings between two rooms: the others are furniture."""
     sides, room = division.arrangement.sides, division.is_room
@@ -108,7 +114,7 @@ def _cut_at_shut_doors(
         if not len(own):
             continue
         linked[own] = False
-        part = label_linked(*sides[linked].T, len(room))
+        part = _linked(sides[linked], len(room))
         beside = {part[side] for side in sides[own[0]]}
         cells = [np.flatnonzero((part == number) & room) for number in beside]
         if len(cells) < 2 or not all(_are_room(division, own, areas, settings) for own in cells):
@@ -124,13 +130,13 @@ def _are_room(division: Division, cells: np.ndarray, areas: np.ndarray, settings
     return total > LARGE * settings.smallest_m2 or is_room(division.area(cells), settings)
 
 
-def _nodes(ends: np.ndarray) -> set:
-    return set(map(tuple, ends.reshape(-1, 2).tolist()))
+def _nodes(ends: np.ndarray) -> set[tuple[float, float]]:
+    return {(x, y) for x, y in ends.reshape(-1, 2).tolist()}
 
 
-def _runs(ends: np.ndarray, rim: set) -> list:
+def _runs(ends: np.ndarray, rim: set[tuple[float, float]]) -> list[np.ndarray]:
     """Return the numbers of borders that hang together on one line between places on the rim."""
-    places = {}
+    places: dict[tuple[float, float], list[int]] = {}
     first, second = [], []
     for number, (x0, y0, x1, y1) in enumerate(ends.tolist()):
         for place in ((x0, y0), (x1, y1)):
@@ -150,7 +156,7 @@ def _are_in_line(one: np.ndarray, other: np.ndarray) -> bool:
     return abs(a[0] * b[1] - a[1] * b[0]) <= 0.01 * np.hypot(*a) * np.hypot(*b)
 
 
-def _tips(ends: np.ndarray) -> tuple:
+def _tips(ends: np.ndarray) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the two ends of borders in one line."""
     places = ends.reshape(-1, 2)
     along = places @ (ends[0, 2:] - ends[0, :2])

@@ -169,7 +169,7 @@ class RoomSettings:
     """Widest window over a sill."""
     head_m: float = 1.9
     """A lintel is above this height over the floor."""
-    eye_m: tuple = (1.0, 1.7)
+    eye_m: tuple[float, float] = (1.0, 1.7)
     """Between these heights over the floor an opening is open, and its sill is below."""
     lintel_levels: float = 1.5
     """Fewest levels of surface above an opening ..."""

@@ -1,6 +1,7 @@
 """Sheets: straight upright surfaces, found in the points wherever they stand."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from numba import njit
@@ -59,7 +60,7 @@ class Sheet:
 
 def find_sheets(
     uprights: Uprights, noise: float, spacing: float, settings: SheetSettings = SheetSettings()
-) -> list:
+) -> list[Sheet]:
     """Find the straight sheets, the fullest first.
 
     Parameters
@@ -96,8 +97,8 @@ def find_sheets(
             scatter = np.sqrt(
                 np.average(_across(uprights.xy[member], line) ** 2, weights=growth.weight[member])
             )
-            ends = (line[:2] + place * line[2:] for place in (start, stop))
-            found.append(Sheet(*ends, levels, float(scatter)))
+            first, last = (line[:2] + end * line[2:] for end in (start, stop))
+            found.append(Sheet(first, last, levels, float(scatter)))
     return found
 
 
@@ -124,7 +125,7 @@ class _Growth:
         self.visited = np.zeros(len(self.xy), np.int64)
         self.walks = 0
 
-    def grow(self, seed: int) -> tuple:
+    def grow(self, seed: int) -> tuple[np.ndarray, np.ndarray]:
         """Grow a sheet from a pixel; return its pixels and its line."""
         line = self._turned(seed, 0.0)
         member = self._walk(line, self.gap, BEGIN, 2 * self.band)
@@ -157,7 +158,14 @@ class _Growth:
         (x, y), c, s = self.normal[seed], np.cos(turn), np.sin(turn)
         return np.array([*self.xy[seed], -(x * s + y * c), x * c - y * s])
 
-    def _walk(self, line, gap, reach, band=None, least=None) -> np.ndarray:
+    def _walk(
+        self,
+        line: np.ndarray,
+        gap: float,
+        reach: float,
+        band: Optional[float] = None,
+        least: Optional[float] = None,
+    ) -> np.ndarray:
         self.walks += 1
         return _walk(
             self.number, self.pixel, self.xy, self.normal, self.free, self.visited, self.walks, line,
@@ -166,7 +174,20 @@ class _Growth:
 
 
 @njit(nogil=True, cache=True)
-def _walk(number, pixel, xy, normal, free, visited, walk, line, band, gap, reach, least):
+def _walk(
+    number: np.ndarray,
+    pixel: float,
+    xy: np.ndarray,
+    normal: np.ndarray,
+    free: np.ndarray,
+    visited: np.ndarray,
+    walk: int,
+    line: np.ndarray,
+    band: float,
+    gap: float,
+    reach: float,
+    least: float,
+) -> np.ndarray:
     """Return the free pixels along a line, both ways until a gap, whose normals are across it."""
     chosen = []
     rows, columns = number.shape
@@ -193,7 +214,7 @@ def _walk(number, pixel, xy, normal, free, visited, walk, line, band, gap, reach
 
 
 @njit(nogil=True, cache=True)
-def _fitted(xy, weight, line, band):
+def _fitted(xy: np.ndarray, weight: np.ndarray, line: np.ndarray, band: float) -> np.ndarray:
     """Fit a line by weighted least squares with Tukey weights; its origin stays near the seed."""
     robust = weight.copy()
     x0, y0, dx, dy = line[0], line[1], line[2], line[3]

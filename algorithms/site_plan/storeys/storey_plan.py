@@ -7,6 +7,7 @@ from typing import Optional
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.ops import linemerge
 
 from ...progress import Progress
@@ -18,12 +19,12 @@ from .levels import Storey, find_storey, find_uprights, frame_around
 from .outlines import parts_of, united
 from .regular import share_lines, square_up
 from .roof import roofed
-from .room_cells import find_rooms
+from .room_cells import Room, find_rooms
 from .settings import StoreySettings
-from .sheets import find_sheets
+from .sheets import Sheet, find_sheets
 from .voxels import make_voxels
 from .wall_bodies import behind, wall_bodies
-from .walls import describe_walls
+from .walls import Wall, describe_walls
 
 
 @dataclass(frozen=True)
@@ -62,12 +63,12 @@ class StoreyPlan:
         Measured on the points.
     """
 
-    walls: tuple
-    rooms: tuple
-    limits: tuple
-    left_out: tuple
-    sheets: tuple
-    region: Polygon
+    walls: tuple[Wall, ...]
+    rooms: tuple[Room, ...]
+    limits: tuple[LineString, ...]
+    left_out: tuple[LeftOut, ...]
+    sheets: tuple[Sheet, ...]
+    region: BaseGeometry
     storey: Optional[Storey]
     spacing_m: float
     noise_m: float
@@ -89,7 +90,7 @@ class StoreyPlan:
 
 
 def make_storey_plan(
-    chunks: Iterable, settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
+    chunks: Iterable[np.ndarray], settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
 ) -> StoreyPlan:
     """Make the plan of a storey from its points.
 
@@ -149,13 +150,13 @@ def make_storey_plan(
 
 def _walls(
     division: Division,
-    sheets: list,
-    parapets: list,
+    sheets: list[Sheet],
+    parapets: list[Polygon],
     footprint: Footprint,
     along: UprightsAlong,
     storey: Storey,
     settings: StoreySettings,
-) -> list:
+) -> list[Wall]:
     """Return the walls behind the faces that bound rooms, and behind those that stand free."""
     faces, _ = division.faces(settings.cut)
     rooms, solid = division.rooms(), division.solid()
@@ -169,7 +170,7 @@ def _walls(
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 
 
-def _limits(division: Division, settings: StoreySettings) -> list:
+def _limits(division: Division, settings: StoreySettings) -> list[LineString]:
     """Return the borders of rooms without a face."""
     arrangement = division.arrangement
     bare = division.are_borders() & ~division.has_face(settings.cut)
@@ -177,7 +178,7 @@ def _limits(division: Division, settings: StoreySettings) -> list:
     return [line for line in parts_of(merged) if line.length >= settings.shortest_limit_m]
 
 
-def _left_out(division: Division, sheets: list, settings: StoreySettings) -> list:
+def _left_out(division: Division, sheets: list[Sheet], settings: StoreySettings) -> list[LeftOut]:
     """Return the sheets that stand free in rooms."""
     inside = division.rooms().buffer(-settings.free_faces.apart_m)
     lines = [LineString([sheet.start, sheet.stop]).intersection(inside) for sheet in sheets]

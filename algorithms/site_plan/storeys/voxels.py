@@ -7,7 +7,7 @@ import numpy as np
 from numba import njit
 from scipy.spatial import cKDTree
 
-from .linking import label_linked
+from ...geometry.linked_parts import label_linked
 from .settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -47,7 +47,7 @@ class Voxels:
     noise_m: float
 
 
-def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> Voxels:
+def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSettings()) -> Voxels:
     """Reduce points to voxels and find the normals.
 
     Parameters
@@ -79,7 +79,7 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
     return Voxels(xyz, normal, settings.edge_m, spacing, noise)
 
 
-def _means(chunks: Iterable, edge: float) -> np.ndarray:
+def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
     keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
     for chunk in chunks:
@@ -107,7 +107,8 @@ def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
         for dx, dy in around
         if (x + dx, y + dy) in number
     ]
-    part = label_linked(*np.array(pairs).T, len(blocks))[member.ravel()]
+    first, second = np.array(pairs).T
+    part = label_linked(first, second, len(blocks))[member.ravel()]
     return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
 
 
@@ -123,7 +124,7 @@ def _unpacked(keys: np.ndarray) -> np.ndarray:
     return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
 
 
-def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
+def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Add up the values, shape (n, k), of equal keys."""
     order = np.argsort(keys, kind="stable")
     keys = keys[order]
@@ -150,7 +151,7 @@ def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
     return float(np.median(thickness[upright])) if upright.any() else 0.0
 
 
-def _normals(xyz: np.ndarray, radius: float) -> tuple:
+def _normals(xyz: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
     buckets = _packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
@@ -161,7 +162,7 @@ def _normals(xyz: np.ndarray, radius: float) -> tuple:
 
 
 @njit(nogil=True, cache=True)
-def _fit_planes(xyz, buckets, radius):
+def _fit_planes(xyz: np.ndarray, buckets: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
     """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
     count = len(xyz)
     normal = np.zeros((count, 3), np.float32)
@@ -213,7 +214,7 @@ def _fit_planes(xyz, buckets, radius):
 
 
 @njit(nogil=True, cache=True)
-def _thinnest(a, b, c, d, e, f, direction):
+def _thinnest(a: float, b: float, c: float, d: float, e: float, f: float, direction: np.ndarray) -> float:
     """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
     mean = (a + d + f) / 3.0
     p1 = b * b + c * c + e * e

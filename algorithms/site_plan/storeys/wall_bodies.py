@@ -2,8 +2,10 @@
 
 import numpy as np
 from shapely.geometry import MultiPoint, Polygon
+from shapely.geometry.base import BaseGeometry
 
-from .outlines import parts_of, tidy, united
+from ...geometry.polygons import polygons_of
+from .outlines import tidy, united
 from .settings import WallSettings
 
 MITRE = 2
@@ -19,7 +21,9 @@ CRACK = 0.002
 """Cracks up to twice so wide are closed, metres."""
 
 
-def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings()) -> list:
+def wall_bodies(
+    faces: np.ndarray, solid: BaseGeometry, settings: WallSettings = WallSettings()
+) -> list[Polygon]:
     """Return the walls behind faces, not cut into pieces.
 
     Parameters
@@ -39,15 +43,10 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = united([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
-    parts = parts_of(body)
-    return [
-        tidy(part, settings)
-        for part in parts
-        if part.geom_type == "Polygon" and part.area >= settings.smallest_m2
-    ]
+    return [tidy(part, settings) for part in polygons_of(body) if part.area >= settings.smallest_m2]
 
 
-def between(faces: np.ndarray, thickest: float):
+def between(faces: np.ndarray, thickest: float) -> BaseGeometry:
     """Return what lies behind two faces that turn their solid sides to each other."""
     along = faces[:, 2:] - faces[:, :2]
     sector = (np.arctan2(along[:, 1], along[:, 0]) // (2 * np.pi / SECTORS)).astype(int) % SECTORS
@@ -64,7 +63,7 @@ def between(faces: np.ndarray, thickest: float):
     return united(parts)
 
 
-def behind(faces: np.ndarray, depth: float):
+def behind(faces: np.ndarray, depth: float) -> BaseGeometry:
     """Return what lies within a depth behind faces, with corners where one face goes on in another."""
     along = faces[:, 2:] - faces[:, :2]
     normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
@@ -73,7 +72,7 @@ def behind(faces: np.ndarray, depth: float):
         Polygon([start, end, end + depth * across, start + depth * across])
         for start, end, across in zip(starts, ends, normal)
     ]
-    begins = {}
+    begins: dict[tuple[float, ...], list[int]] = {}
     for number, start in enumerate(map(tuple, starts.tolist())):
         begins.setdefault(start, []).append(number)
     for one, end in enumerate(map(tuple, ends.tolist())):
@@ -83,7 +82,7 @@ def behind(faces: np.ndarray, depth: float):
     return united([part for part in parts if part.is_valid and part.area > 0])
 
 
-def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float):
+def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float) -> BaseGeometry:
     """Return the corner between the strips behind two faces."""
     tip = (one + other) / max(1 + one @ other, 0.1) if one @ other > SHARP else (one + other) / 2
     return MultiPoint([place, place + depth * one, place + depth * tip, place + depth * other]).convex_hull

@@ -1,5 +1,7 @@
 """Bodies of walls cut into pieces between junctions and openings, as a surveyor schedules them."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
 from shapely.ops import polygonize, unary_union
@@ -20,7 +22,7 @@ TWO_CORNERS = 0.7
 """A cut between two corners is preferred, as if it were so much shorter."""
 
 
-def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> list:
+def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> list[Polygon]:
     """Cut a body at the corners where walls meet; return its pieces, which share their edges exactly.
 
     A body juts out at such a corner: each is cut once, by the shortest cut along one of its two sides or
@@ -29,7 +31,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
     corners, ways = _inner_corners(body)
     if not len(corners):
         return [body]
-    chosen = []
+    chosen: list[LineString] = []
     done = np.zeros(len(corners), bool)
     for _, cut, ends in sorted(_cuts(body, corners, ways, settings), key=lambda entry: entry[0]):
         if done[list(ends)].any() or any(_cross(cut, other) for other in chosen):
@@ -41,7 +43,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
     return [piece for piece in pieces if inside.contains(piece.representative_point()) and piece.area > 1e-6]
 
 
-def _inner_corners(body: Polygon) -> tuple:
+def _inner_corners(body: Polygon) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners with more than half a turn inside the body, and the ways that their sides go on."""
     corners, ways = [], []
     for ring, sign in ((body.exterior, 1), *((ring, -1) for ring in body.interiors)):
@@ -60,7 +62,9 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
     return vectors / np.maximum(np.hypot(*vectors.T), 1e-12)[:, None]
 
 
-def _cuts(body: Polygon, corners: np.ndarray, ways: np.ndarray, settings: WallSettings):
+def _cuts(
+    body: Polygon, corners: np.ndarray, ways: np.ndarray, settings: WallSettings
+) -> Iterator[tuple[float, LineString, tuple[int, ...]]]:
     """Yield the possible cuts: rank, line, and the corners that it starts from."""
     longest = settings.longest_cut_m
     within = prep(body.buffer(1e-6))
