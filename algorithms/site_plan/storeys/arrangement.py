@@ -20,10 +20,6 @@ from .sheets import Sheet
 OUTSIDE = -1
 """Number of the cell beyond the frame."""
 
-CORE_SEEN, CORE_KNOWN = 0.2, 0.4
-"""A cell is the core of a wall if less than the first share of what is known was seen, and more than
-the second share is known."""
-
 ON_LINE = 1e-4
 """A border lies on a line if both its ends are so near to it, metres."""
 
@@ -98,7 +94,7 @@ def footprint_lines(footprint: Footprint, settings: CutSettings) -> list[LineStr
     frame = footprint.frame
     unknown = np.isnan(footprint.weight)
     nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
-    seen = footprint.weight[tuple(nearest)] >= 0.5
+    seen = footprint.weight[tuple(nearest)] >= settings.outline_weight
     seen = ndimage.binary_opening(seen)
     lines: list[LineString] = []
     for geometry, _ in shapes(seen.astype(np.uint8), mask=seen, connectivity=4):
@@ -151,7 +147,9 @@ def _away(places: np.ndarray, sheet: Sheet) -> tuple[np.ndarray, np.ndarray]:
     return away @ sheet.direction, away @ sheet.normal
 
 
-def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple[np.ndarray, np.ndarray]:
+def seen_and_unseen(
+    arrangement: Arrangement, footprint: Footprint, settings: CutSettings = CutSettings()
+) -> tuple[np.ndarray, np.ndarray]:
     """Return how much of each cell was seen and was not seen as room, m2; shape (cells,) each."""
     frame, fine = footprint.frame, 2
     shape_ = tuple(fine * count for count in frame.shape)
@@ -171,6 +169,6 @@ def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple[np.
     seen = np.bincount(label[known], weight[known], count)[1:]
     area = np.array([cell.area for cell in arrangement.cells]) / np.maximum(total, 1)
     # The faces of a partition hide most of its core: all of it is as what is known.
-    core = (seen < CORE_SEEN * certain) & (certain > CORE_KNOWN * total)
+    core = (seen < settings.core_seen_share * certain) & (certain > settings.core_known_share * total)
     area[core] *= (total / np.maximum(certain, 1))[core]
     return seen * area, (certain - seen) * area

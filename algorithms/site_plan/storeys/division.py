@@ -96,7 +96,7 @@ def divide(
     """Divide a storey into rooms and solid by the cheapest cut."""
     lines = sheet_lines(sheets, settings) + footprint_lines(footprint, settings)
     arrangement = arrange(lines, footprint.frame)
-    seen, unseen = seen_and_unseen(arrangement, footprint)
+    seen, unseen = seen_and_unseen(arrangement, footprint, settings)
     tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)
     count = uprights.mean_levels(arrangement.ends)
     above, tall = (

@@ -14,9 +14,6 @@ from .outlines import parts_of, united
 from .settings import FreeFaceSettings, LevelSettings
 from .sheets import Sheet
 
-PARALLEL = 0.98
-"""Cosine of the largest angle between the two faces of a wall."""
-
 
 def free_faces(
     sheets: Sequence[Sheet],
@@ -81,17 +78,18 @@ def screens(
             if part.length >= settings.screen_m:
                 ends = np.asarray(part.coords)
                 runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
-                found += [run for run in runs if not _has_wall_behind(run, faces, settings.furniture_m)]
+                found += [run for run in runs if not _has_wall_behind(run, faces, settings)]
     found = np.array(found).reshape(-1, 4)
     tall = uprights.mean_levels(found, -1 << round(settings.head_m / levels.level_m))
     return found[tall >= settings.head_levels]
 
 
-def _has_wall_behind(run: np.ndarray, faces: np.ndarray, reach: float) -> bool:
-    """Tell whether a face of a wall runs within the reach of a line, along it."""
+def _has_wall_behind(run: np.ndarray, faces: np.ndarray, settings: FreeFaceSettings) -> bool:
+    """Return whether a face of a wall runs along a line, as near as furniture is deep."""
     along = (run[2:] - run[:2]) / np.hypot(*(run[2:] - run[:2]))
     beside = _overlaps(run, faces, along)
-    return bool(((beside.cosine > PARALLEL) & (beside.overlap > 0.2) & (np.abs(beside.across) < reach)).any())
+    along_it = (beside.cosine > settings.parallel_cosine) & (beside.overlap > settings.shortest_overlap_m)
+    return bool((along_it & (np.abs(beside.across) < settings.furniture_m)).any())
 
 
 def _full_runs(
@@ -114,7 +112,7 @@ def _turned(
     start, stop = run[:2], run[2:]
     along = (stop - start) / np.hypot(*(stop - start))
     left = np.array([-along[1], along[0]])
-    opposite = _opposite(run, faces, along, settings.thickest_m)
+    opposite = _opposite(run, faces, along, settings)
     if opposite:
         return run if opposite > 0 else run[[2, 3, 0, 1]]
     places = np.linspace(start, stop, 10)
@@ -126,11 +124,12 @@ def _turned(
     return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
 
 
-def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
+def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, settings: FreeFaceSettings) -> float:
     """Return how far faces of rooms turn their solid to this one: positive from the left, else negative."""
     beside = _overlaps(run, faces, along)
     # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
-    facing = (beside.cosine > PARALLEL) & (beside.overlap > 0) & (np.abs(beside.across) < thickest)
+    facing = (beside.cosine > settings.parallel_cosine) & (beside.overlap > 0)
+    facing &= np.abs(beside.across) < settings.thickest_m
     facing &= beside.way * beside.across < 0
     return float((np.sign(beside.across) * beside.overlap)[facing].sum())
 

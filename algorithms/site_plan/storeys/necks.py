@@ -18,9 +18,6 @@ OVER = 1e-4
 TOUCHING = 1e-6
 """Areas nearer than this touch, metres."""
 
-NARROWEST = 0.05
-"""What is opposite of a corner is farther than this, metres."""
-
 
 def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> list[Polygon]:
     """Cut a space at narrow places that are doors without a lintel; return its parts."""
@@ -34,7 +31,7 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
         for throat in polygons_of(outline.difference(united(wide)))
         if sum(throat.distance(core) < TOUCHING for core in wide) > 1
     ]
-    for chord in _narrow_chords(outline, united(throats).buffer(0.3), settings.neck_m):
+    for chord in _narrow_chords(outline, united(throats).buffer(settings.throat_m), settings):
         parts = [part for part in split(outline, chord).geoms if part.area > 1e-4]
         if len(parts) != 2:
             continue
@@ -44,7 +41,7 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
     return [outline]
 
 
-def _narrow_chords(outline: Polygon, near: BaseGeometry, widest: float) -> list[LineString]:
+def _narrow_chords(outline: Polygon, near: BaseGeometry, settings: RoomSettings) -> list[LineString]:
     """Return the chords from corners that jut into a space to what is opposite, the shortest first."""
     sides = np.concatenate([_sides(ring) for ring in (outline.exterior, *outline.interiors)])
     starts, along = sides[:, :2], sides[:, 2:] - sides[:, :2]
@@ -56,7 +53,8 @@ def _narrow_chords(outline: Polygon, near: BaseGeometry, widest: float) -> list[
         share = ((corner - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12)
         opposite = starts + np.clip(share, 0, 1)[:, None] * along
         distance = np.hypot(*(opposite - corner).T)
-        found = [_over(corner, place) for place in opposite[(distance <= widest) & (distance > NARROWEST)]]
+        chosen = opposite[(distance <= settings.neck_m) & (distance > settings.shortest_chord_m)]
+        found = [_over(corner, end) for end in chosen]
         chords += [chord for chord in found if within.contains(chord)]
     return sorted(chords, key=lambda chord: chord.length)
 

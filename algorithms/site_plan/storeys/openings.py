@@ -11,9 +11,6 @@ from .evidence import UprightsAlong
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
 
-LARGE = 10
-"""A space so many times as large as the smallest room is wide enough."""
-
 
 @dataclass(frozen=True)
 class Parts:
@@ -127,7 +124,7 @@ def _are_room(division: Division, cells: np.ndarray, areas: np.ndarray, settings
     total = areas[cells].sum()
     if total < settings.smallest_m2:
         return False
-    return total > LARGE * settings.smallest_m2 or is_room(division.area(cells), settings)
+    return total > settings.surely_wide * settings.smallest_m2 or is_room(division.area(cells), settings)
 
 
 def _nodes(ends: np.ndarray) -> set[tuple[float, float]]:

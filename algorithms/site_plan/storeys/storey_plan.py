@@ -111,7 +111,7 @@ def make_storey_plan(
     uprights = find_uprights(
         voxels,
         storey.floor,
-        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
+        frame_around(voxels, settings.levels.pixel_m, settings.margin_m, settings.levels),
         settings.levels,
     )
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
@@ -119,7 +119,7 @@ def make_storey_plan(
     if not sheets:
         return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
     progress.update(0.6, "Finding floor and ceiling")
-    frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
+    frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m, settings.levels)
     footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
     progress.update(0.7, "Dividing rooms from solid")
     cut = settings.cut

@@ -15,12 +15,6 @@ HALF_RANGE = 1 << 20
 
 BITS = 21
 
-NEIGHBOURS = 6
-"""The distance to this neighbour is about 1.4 times the spacing of a square pattern on a surface."""
-
-SAMPLE, FEWEST_SAMPLED, PLACES = 200_000, 20_000, 4000
-"""About so many voxels are searched for neighbours, not fewer than these, from so many places."""
-
 
 @dataclass(frozen=True)
 class Voxels:
@@ -57,22 +51,23 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
     settings : VoxelSettings
     """
     xyz = _without_strays(_means(chunks, settings.edge_m), settings)
-    if len(xyz) < NEIGHBOURS + 1:
+    if len(xyz) < settings.neighbours + 1:
         return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
-    spacing = max(_spacing(xyz), settings.edge_m)
+    spacing = max(_spacing(xyz, settings), settings.edge_m)
     widest = settings.widest_normal_radius_m
     radius = min(max(settings.normal_radius_m, settings.normal_radius_spacings * spacing), widest)
-    normal, thickness = _normals(xyz, radius)
-    noise = _noise(normal, thickness)
+    fewest = settings.fewest_neighbours
+    normal, thickness = _normals(xyz, radius, fewest)
+    noise = _noise(normal, thickness, settings.upright)
     wider = min(settings.normal_radius_noises * noise, widest)
-    if wider > 1.2 * radius:
+    if wider > settings.refit_growth * radius:
         radius = wider
-        normal, thickness = _normals(xyz, radius)
-        noise = _noise(normal, thickness)
+        normal, thickness = _normals(xyz, radius, fewest)
+        noise = _noise(normal, thickness, settings.upright)
     surface = thickness <= settings.flatness * radius
     lonely = np.isinf(thickness)
     if lonely.mean() > settings.lonely_share:
-        more, thickness = _normals(xyz, 2 * radius)
+        more, thickness = _normals(xyz, 2 * radius, fewest)
         normal[lonely] = more[lonely]
         surface[lonely] = thickness[lonely] <= settings.flatness * radius
     normal[~surface] = 0.0
@@ -132,37 +127,39 @@ def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return keys[first], np.add.reduceat(values[order], first, axis=0)
 
 
-def _spacing(xyz: np.ndarray) -> float:
+def _spacing(xyz: np.ndarray, settings: VoxelSettings) -> float:
     """Return the usual distance of neighbours, measured in columns of a metre all over the cloud."""
     columns = np.floor(xyz[:, :2]).astype(np.int64) + HALF_RANGE
     number = (columns[:, 0] << BITS) | columns[:, 1]
-    every = max(len(xyz) // SAMPLE, 1)
+    every = max(len(xyz) // settings.sampled_points, 1)
     chosen = xyz[number % every == 0] if every > 1 else xyz
-    if len(chosen) < FEWEST_SAMPLED:
+    if len(chosen) < settings.fewest_sampled_points:
         chosen = xyz
-    places = chosen[:: max(len(chosen) // PLACES, 1)]
-    distance = cKDTree(chosen).query(places, NEIGHBOURS + 1)[0][:, -1]
+    queried = chosen[:: max(len(chosen) // settings.queried_points, 1)]
+    distance = cKDTree(chosen).query(queried, settings.neighbours + 1)[0][:, -1]
     return float(np.median(distance) / np.sqrt(2.0))
 
 
-def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
+def _noise(normal: np.ndarray, thickness: np.ndarray, most: float) -> float:
     """Return the median thickness of upright surfaces, metres."""
-    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < 0.2)
+    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < most)
     return float(np.median(thickness[upright])) if upright.any() else 0.0
 
 
-def _normals(xyz: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
+def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, np.ndarray]:
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
     buckets = _packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
-    normal, thickness = _fit_planes(xyz[order], buckets[order], radius)
+    normal, thickness = _fit_planes(xyz[order], buckets[order], radius, fewest)
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
 
 
 @njit(nogil=True, cache=True)
-def _fit_planes(xyz: np.ndarray, buckets: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
+def _fit_planes(
+    xyz: np.ndarray, buckets: np.ndarray, radius: float, fewest: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
     count = len(xyz)
     normal = np.zeros((count, 3), np.float32)
@@ -197,7 +194,7 @@ def _fit_planes(xyz: np.ndarray, buckets: np.ndarray, radius: float) -> tuple[np
                     syy += y * y
                     syz += y * z
                     szz += z * z
-        if n < 5:
+        if n < fewest:
             continue
         sx, sy, sz = sx / n, sy / n, sz / n
         smallest = _thinnest(

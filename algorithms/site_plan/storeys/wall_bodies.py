@@ -17,9 +17,6 @@ SECTORS = 8
 SHARP = -0.5
 """Cosine of the turn beyond which the corner of a strip is cut off."""
 
-CRACK = 0.002
-"""Cracks up to twice so wide are closed, metres."""
-
 
 def wall_bodies(
     faces: np.ndarray, solid: BaseGeometry, settings: WallSettings = WallSettings()
@@ -38,11 +35,11 @@ def wall_bodies(
     -------
     list of Polygon
     """
-    half = settings.thickest_m / 2
-    deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
+    half, crack = settings.thickest_m / 2, settings.crack_m
+    deep = solid.buffer(-half, join_style=MITRE).buffer(half + crack, join_style=MITRE)
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
-    body = united([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
+    body = united([strips, backed]).buffer(crack, join_style=MITRE).buffer(-crack, join_style=MITRE)
     return [tidy(part, settings) for part in polygons_of(body) if part.area >= settings.smallest_m2]
 
 

@@ -9,17 +9,11 @@ from shapely.prepared import prep
 
 from .settings import WallSettings
 
-TURN = 0.25
-"""Sine of the least turn of a corner at which walls meet: 15 degrees."""
-
 OVER = 1e-3
 """A cut goes on over the outline by so much, metres."""
 
 START = 1e-4
 """A cut is looked for from so far before its corner, metres."""
-
-TWO_CORNERS = 0.7
-"""A cut between two corners is preferred, as if it were so much shorter."""
 
 
 def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> list[Polygon]:
@@ -28,7 +22,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
     A body juts out at such a corner: each is cut once, by the shortest cut along one of its two sides or
     to another such corner.
     """
-    corners, ways = _inner_corners(body)
+    corners, ways = _inner_corners(body, settings.junction_sine)
     if not len(corners):
         return [body]
     chosen: list[LineString] = []
@@ -43,7 +37,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
     return [piece for piece in pieces if inside.contains(piece.representative_point()) and piece.area > 1e-6]
 
 
-def _inner_corners(body: Polygon) -> tuple[np.ndarray, np.ndarray]:
+def _inner_corners(body: Polygon, least: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners with more than half a turn inside the body, and the ways that their sides go on."""
     corners, ways = [], []
     for ring, sign in ((body.exterior, 1), *((ring, -1) for ring in body.interiors)):
@@ -52,7 +46,7 @@ def _inner_corners(body: Polygon) -> tuple[np.ndarray, np.ndarray]:
             xy = xy[::-1]
         before = _unit(xy - np.roll(xy, 1, axis=0))
         after = _unit(np.roll(xy, -1, axis=0) - xy)
-        inner = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < -TURN
+        inner = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < -least
         corners.append(xy[inner])
         ways.append(np.stack([before[inner], -after[inner]], axis=1))
     return np.concatenate(corners), np.concatenate(ways)
@@ -81,7 +75,7 @@ def _cuts(
         for j in np.flatnonzero(np.hypot(*(corners[i + 1 :] - corner).T) <= longest) + i + 1:
             cut = LineString([corner, corners[j]])
             if cut.length > 10 * START and within.contains(cut):
-                yield TWO_CORNERS * cut.length, cut, (i, j)
+                yield settings.two_corners * cut.length, cut, (i, j)
 
 
 def _cross(one: LineString, other: LineString) -> bool:

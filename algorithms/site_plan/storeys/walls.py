@@ -75,7 +75,7 @@ def describe_walls(
 
 def _is_column(piece: Wall, body: Polygon, settings: WallSettings) -> bool:
     """Return whether the only piece of a body is a column: small, seen from most sides, and no strip."""
-    if body.area > settings.column_m2 or piece.coverage <= 0.5:
+    if body.area > settings.column_m2 or piece.coverage <= settings.column_coverage:
         return False
     return not piece.outline.buffer(-0.55 * settings.strip_m).is_empty
 
