@@ -81,7 +81,7 @@ def _paired(cells: tuple[Polygon, ...], edges: np.ndarray, owner: np.ndarray) ->
 
 
 def sheet_lines(sheets: Iterable[Sheet], settings: CutSettings) -> list[LineString]:
-    """Return the sheets as lines that go on beyond their ends, short ones less far."""
+    """Return the sheets as lines that extend beyond their ends, short ones less far."""
     lines = []
     for sheet in sheets:
         beyond = min(settings.extension_m, settings.extension_lengths * sheet.length) * sheet.direction
@@ -131,7 +131,7 @@ def find_tracks(ends: np.ndarray, sheets: Sequence[Sheet], reach: float) -> Trac
     sheet, within, beside = np.full(count, -1), np.zeros(count, bool), np.zeros(count, bool)
     middle = (ends[:, :2] + ends[:, 2:]) / 2
     for number, one in sorted(enumerate(sheets), key=lambda pair: -pair[1].levels * pair[1].length):
-        first, last, centre = (_away(place, one) for place in (ends[:, :2], ends[:, 2:], middle))
+        first, last, centre = (_away(xy, one) for xy in (ends[:, :2], ends[:, 2:], middle))
         on_line = (np.abs(first[1]) < ON_LINE) & (np.abs(last[1]) < ON_LINE)
         inside = on_line & (centre[0] > 0) & (centre[0] < one.length)
         near = (np.abs(centre[1]) < reach) & (centre[0] > -reach) & (centre[0] < one.length + reach)
@@ -141,9 +141,9 @@ def find_tracks(ends: np.ndarray, sheets: Sequence[Sheet], reach: float) -> Trac
     return Tracks(sheet, within, beside & (sheet < 0))
 
 
-def _away(places: np.ndarray, sheet: Sheet) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far places lie along and across a sheet from its start, metres."""
-    away = places - sheet.start
+def _away(xy: np.ndarray, sheet: Sheet) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far positions lie along and across a sheet from its start, metres."""
+    away = xy - sheet.start
     return away @ sheet.direction, away @ sheet.normal
 
 

@@ -66,7 +66,7 @@ class Division:
         return self.area(np.flatnonzero(~self.is_room[:-1]))
 
     def are_borders(self) -> np.ndarray:
-        """Tell the borders between room and solid."""
+        """Return which borders lie between room and solid."""
         left, right = self.is_room[self.arrangement.sides].T
         return left != right
 
@@ -78,7 +78,7 @@ class Division:
         return np.where(room_left[:, None], ends[:, [2, 3, 0, 1]], ends), chosen
 
     def has_face(self, settings: CutSettings) -> np.ndarray:
-        """Tell the borders along which upright surface stands, and rises above the cut."""
+        """Return which borders have upright surface along them that rises above the cut."""
         on_sheet = self.tracks.sheet >= 0
         fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
         stands = (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)

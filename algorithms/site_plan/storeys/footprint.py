@@ -77,10 +77,10 @@ def _extreme(
 
 
 def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:
-    """Tell the pixels with so many levels of upright surface."""
-    place = frame.places(uprights.xy)
+    """Return which pixels hold so many levels of upright surface."""
+    pixels = frame.places(uprights.xy)
     bits = np.zeros(frame.shape, np.uint64)
-    np.bitwise_or.at(bits, place, uprights.levels)
+    np.bitwise_or.at(bits, pixels, uprights.levels)
     many = np.zeros(frame.shape, bool)
     held = bits > 0
     many[held] = count_levels(bits[held]) >= fewest
@@ -88,7 +88,7 @@ def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:
 
 
 def _drawn(sheets: Sequence[Sheet], frame: Frame, extension: float) -> np.ndarray:
-    """Tell the pixels that sheets lie on, and would lie on if they were longer."""
+    """Return which pixels sheets lie on, or would lie on if they were longer."""
     drawn = np.zeros(frame.shape, bool)
     for sheet in sheets:
         count = int(3 * (sheet.length + 2 * extension) / frame.pixel_m) + 2

@@ -52,7 +52,7 @@ def free_faces(
         for part in parts_of(outside):
             if part.length >= settings.run_m:
                 found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
-    return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
+    return np.array([_solid_left(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
 
 
 def screens(
@@ -101,24 +101,24 @@ def _full_runs(
     edges = np.flatnonzero(np.diff(np.r_[False, full, False].astype(int)))
     share = edges.reshape(-1, 2) / len(full)
     length = np.hypot(*(ends[-1] - ends[0]))
-    places = ends[0] + share[..., None] * (ends[-1] - ends[0])
-    return [place.ravel() for place, (low, high) in zip(places, share) if (high - low) * length >= shortest]
+    runs = ends[0] + share[..., None] * (ends[-1] - ends[0])
+    return [run.ravel() for run, (low, high) in zip(runs, share) if (high - low) * length >= shortest]
 
 
-def _turned(
+def _solid_left(
     run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings
 ) -> np.ndarray:
-    """Turn a face so that the solid lies to the left."""
+    """Return a face with its ends in the order in which the solid lies to the left."""
     start, stop = run[:2], run[2:]
     along = (stop - start) / np.hypot(*(stop - start))
     left = np.array([-along[1], along[0]])
     opposite = _opposite(run, faces, along, settings)
     if opposite:
         return run if opposite > 0 else run[[2, 3, 0, 1]]
-    places = np.linspace(start, stop, 10)
+    stations = np.linspace(start, stop, 10)
     depths = np.linspace(0.2 * settings.front_m, settings.front_m, 6)
     sides = [
-        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths]))
+        _seen(footprint, np.concatenate([stations + sign * depth * left for depth in depths]))
         for sign in (1, -1)
     ]
     return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
@@ -148,13 +148,13 @@ def _overlaps(run: np.ndarray, faces: np.ndarray, along: np.ndarray) -> _Beside:
     direction = faces[:, 2:] - faces[:, :2]
     way = direction @ along / np.maximum(np.hypot(*direction.T), 1e-9)
     ends = np.stack([faces[:, :2], faces[:, 2:]], axis=1) - run[:2]
-    place, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
-    overlap = np.minimum(place[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(place[:, 0], 0)
+    extent, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
+    overlap = np.minimum(extent[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(extent[:, 0], 0)
     return _Beside(np.abs(way), way, across, overlap)
 
 
-def _seen(footprint: Footprint, places: np.ndarray) -> float:
-    row, column = footprint.frame.places(places)
+def _seen(footprint: Footprint, xy: np.ndarray) -> float:
+    row, column = footprint.frame.places(xy)
     rows, columns = footprint.weight.shape
     inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
     return float(np.nansum(footprint.weight[row[inside], column[inside]]))

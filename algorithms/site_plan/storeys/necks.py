@@ -1,4 +1,4 @@
-"""Narrow places of a space, which are doors though no lintel was seen."""
+"""Necks of a space, which are doors although no lintel was seen."""
 
 import numpy as np
 from shapely.geometry import LinearRing, LineString, Point, Polygon
@@ -13,14 +13,14 @@ from .settings import RoomSettings
 from .spaces import inner_width
 
 OVER = 1e-4
-"""A chord goes on over both its ends by so much, metres, to cut."""
+"""A chord extends beyond both its ends by so much, metres, so that it cuts."""
 
 TOUCHING = 1e-6
 """Areas nearer than this touch, metres."""
 
 
 def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> list[Polygon]:
-    """Cut a space at narrow places that are doors without a lintel; return its parts."""
+    """Cut a space at its necks, which are doors without a lintel; return its parts."""
     half = settings.neck_m / 2
     cores = outline.buffer(-half)
     if cores.geom_type != "MultiPolygon":

@@ -1,4 +1,4 @@
-"""Openings: doors, windows and passages, where the line of a wall goes on over or under open space."""
+"""Openings: doors, windows and passages, where the line of a wall continues above or below open space."""
 
 from dataclasses import dataclass
 
@@ -120,7 +120,7 @@ def _cut_at_shut_doors(
 
 
 def _are_room(division: Division, cells: np.ndarray, areas: np.ndarray, settings: RoomSettings) -> bool:
-    """Tell whether cells make a room; large ones do."""
+    """Return whether cells together are a room; large ones are."""
     total = areas[cells].sum()
     if total < settings.smallest_m2:
         return False
@@ -132,18 +132,18 @@ def _nodes(ends: np.ndarray) -> set[tuple[float, float]]:
 
 
 def _runs(ends: np.ndarray, rim: set[tuple[float, float]]) -> list[np.ndarray]:
-    """Return the numbers of borders that hang together on one line between places on the rim."""
-    places: dict[tuple[float, float], list[int]] = {}
+    """Return the numbers of the borders that are connected on one line between nodes on the rim."""
+    at_node: dict[tuple[float, float], list[int]] = {}
     first, second = [], []
     for number, (x0, y0, x1, y1) in enumerate(ends.tolist()):
-        for place in ((x0, y0), (x1, y1)):
-            if place in rim:
+        for node in ((x0, y0), (x1, y1)):
+            if node in rim:
                 continue
-            for other in places.setdefault(place, []):
+            for other in at_node.setdefault(node, []):
                 if _are_in_line(ends[number], ends[other]):
                     first.append(number)
                     second.append(other)
-            places[place].append(number)
+            at_node[node].append(number)
     label = label_linked(np.array(first, int), np.array(second, int), len(ends))
     return [np.flatnonzero(label == number) for number in np.unique(label)]
 
@@ -155,6 +155,6 @@ def _are_in_line(one: np.ndarray, other: np.ndarray) -> bool:
 
 def _tips(ends: np.ndarray) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the two ends of borders in one line."""
-    places = ends.reshape(-1, 2)
-    along = places @ (ends[0, 2:] - ends[0, :2])
-    return tuple(places[np.argmin(along)].tolist()), tuple(places[np.argmax(along)].tolist())
+    nodes = ends.reshape(-1, 2)
+    along = nodes @ (ends[0, 2:] - ends[0, :2])
+    return tuple(nodes[np.argmin(along)].tolist()), tuple(nodes[np.argmax(along)].tolist())

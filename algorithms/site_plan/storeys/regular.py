@@ -10,7 +10,7 @@ from .sheets import Sheet
 
 
 def square_up(sheets: Sequence[Sheet], settings: SheetSettings = SheetSettings()) -> list[Sheet]:
-    """Turn short sheets square to the nearest long one, where their own direction is no surer than that."""
+    """Rotate short sheets square to a long one nearby, if their own direction allows it."""
     long = [sheet for sheet in sheets if sheet.length >= settings.long_m]
     if not long:
         return list(sheets)
@@ -30,10 +30,10 @@ def _squared(sheet: Sheet, long: list[Sheet], settings: SheetSettings) -> Sheet:
     return replace(sheet, start=middle - half, stop=middle + half)
 
 
-def _distance(sheet: Sheet, place: np.ndarray) -> float:
-    """Return the distance of a place from a sheet, metres."""
-    way = np.clip((place - sheet.start) @ sheet.direction, 0, sheet.length)
-    return float(np.hypot(*(place - sheet.start - way * sheet.direction)))
+def _distance(sheet: Sheet, xy: np.ndarray) -> float:
+    """Return the distance of a position from a sheet, metres."""
+    way = np.clip((xy - sheet.start) @ sheet.direction, 0, sheet.length)
+    return float(np.hypot(*(xy - sheet.start - way * sheet.direction)))
 
 
 def share_lines(sheets: Sequence[Sheet], settings: SheetSettings = SheetSettings()) -> list[Sheet]:
@@ -75,14 +75,15 @@ class _Shared:
         return min(gaps)
 
     def accepts(self, sheet: Sheet, offset: float) -> bool:
-        """Tell whether all sheets stay on the line when one more is added."""
+        """Return whether all sheets remain on the line if one more is added."""
         together = _Shared([*self.sheets, sheet])
         return all(
             together.distance(end) <= offset for one in together.sheets for end in (one.start, one.stop)
         )
 
-    def distance(self, place: np.ndarray) -> float:
-        x, y = place - self.middle
+    def distance(self, xy: np.ndarray) -> float:
+        """Return the distance of a position from the line, metres."""
+        x, y = xy - self.middle
         return abs(x * self.direction[1] - y * self.direction[0])
 
     def project(self, sheet: Sheet) -> Sheet:

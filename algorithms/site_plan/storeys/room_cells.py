@@ -89,11 +89,11 @@ def _pixels(outline: Polygon, footprint: Footprint) -> tuple[np.ndarray, np.ndar
 
 
 def _described(outline: Polygon, footprint: Footprint) -> Room:
-    place = _pixels(outline, footprint)
-    weight = footprint.weight[place]
+    pixels = _pixels(outline, footprint)
+    weight = footprint.weight[pixels]
     known = weight[np.isfinite(weight)]
     seen = float((known > 0).mean()) if len(known) else 0.0
-    return Room(tidy(outline), _median(footprint.floor[place]), _median(footprint.ceiling[place]), seen)
+    return Room(tidy(outline), _median(footprint.floor[pixels]), _median(footprint.ceiling[pixels]), seen)
 
 
 def _median(values: np.ndarray) -> Optional[float]:
@@ -102,7 +102,7 @@ def _median(values: np.ndarray) -> Optional[float]:
 
 
 def _is_parapet(niche: Polygon, footprint: Footprint, storey: Storey, settings: RoomSettings) -> bool:
-    """Tell whether the floor of a niche is a sill."""
+    """Return whether the floor of a niche is a sill."""
     if niche.area < 0.01 or not niche.buffer(-settings.deepest_parapet_m / 2).is_empty:
         return False
     floor = footprint.floor[_pixels(niche, footprint)]

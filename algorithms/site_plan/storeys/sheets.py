@@ -79,7 +79,7 @@ def find_sheets(
         start, stop = along.min(), along.max()
         if stop - start < settings.shortest_m:
             continue
-        growth.strike(line, stop - start)
+        growth.strike(line)
         levels = _filled(along - start, stop - start, uprights.levels[member], step)
         if levels >= settings.fewest_levels:
             scatter = np.sqrt(
@@ -97,7 +97,7 @@ def _across(xy: np.ndarray, line: np.ndarray) -> np.ndarray:
 class _Growth:
     """Pixels that sheets grow over, and those that are still free.
 
-    A line is x, y of a place on it and its direction; ndarray, shape (4,).
+    A line is x, y of a point on it and its direction; ndarray, shape (4,).
     """
 
     def __init__(self, uprights: Uprights, band: float, gap: float, settings: SheetSettings) -> None:
@@ -131,7 +131,7 @@ class _Growth:
             line = self._fitted(member, line)
         return member, line + self.corner
 
-    def strike(self, line: np.ndarray, length: float) -> None:
+    def strike(self, line: np.ndarray) -> None:
         """Take the pixels of a sheet, and what lies close to them, out of those that are free."""
         line = line - self.corner
         band, least = self.settings.struck_bands * self.band, self.settings.struck_turn * self.least

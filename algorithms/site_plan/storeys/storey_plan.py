@@ -15,14 +15,14 @@ from .division import Division, divide
 from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
-from .levels import Storey, find_storey, find_uprights, frame_around
+from .levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
 from .outlines import parts_of, united
 from .regular import share_lines, square_up
 from .roof import roofed
 from .room_cells import Room, find_rooms
 from .settings import StoreySettings
 from .sheets import Sheet, find_sheets
-from .voxels import make_voxels
+from .voxels import Voxels, make_voxels
 from .wall_bodies import behind, wall_bodies
 from .walls import Wall, describe_walls
 
@@ -106,46 +106,51 @@ def make_storey_plan(
     voxels = make_voxels(chunks, settings.voxels)
     storey = find_storey(voxels, settings.levels)
     if storey is None:
-        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+        return _nothing(voxels)
     progress.update(0.4, "Finding faces")
-    uprights = find_uprights(
-        voxels,
-        storey.floor,
-        frame_around(voxels, settings.levels.pixel_m, settings.margin_m, settings.levels),
-        settings.levels,
-    )
+    fine, coarse = _frames(voxels, settings)
+    uprights = find_uprights(voxels, storey.floor, fine, settings.levels)
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
     if not sheets:
-        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+        return _nothing(voxels)
     progress.update(0.6, "Finding floor and ceiling")
-    frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m, settings.levels)
-    footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
+    footprint = find_footprint(voxels, storey, uprights, sheets, coarse, settings.footprint, settings.levels)
     progress.update(0.7, "Dividing rooms from solid")
-    cut = settings.cut
-    along = UprightsAlong(
-        uprights,
-        cut.beside_m,
-        max(cut.station_m, voxels.spacing_m),
-        max(cut.corner_m, voxels.spacing_m),
-        settings.sheets.turn_deg,
-    )
-    division = divide(sheets, footprint, along, cut, settings.levels)
+    along = _along(uprights, voxels.spacing_m, settings)
+    division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
-    walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
-    region = roofed(footprint, settings.roof)
     return StoreyPlan(
-        tuple(walls),
-        tuple(rooms),
-        tuple(_limits(division, settings)),
-        tuple(_left_out(division, sheets, settings)),
-        tuple(sheets),
-        region,
-        storey,
-        voxels.spacing_m,
-        voxels.noise_m,
+        walls=tuple(_walls(division, sheets, parapets, footprint, along, storey, settings)),
+        rooms=tuple(rooms),
+        limits=tuple(_limits(division, settings)),
+        left_out=tuple(_left_out(division, sheets, settings)),
+        sheets=tuple(sheets),
+        region=roofed(footprint, settings.roof),
+        storey=storey,
+        spacing_m=voxels.spacing_m,
+        noise_m=voxels.noise_m,
     )
+
+
+def _nothing(voxels: Voxels) -> StoreyPlan:
+    """Return the plan of points that show no storey."""
+    return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+
+
+def _frames(voxels: Voxels, settings: StoreySettings) -> tuple[Frame, Frame]:
+    """Return the pixels of upright surfaces, and those of floor and ceiling."""
+    fine = frame_around(voxels, settings.levels.pixel_m, settings.margin_m, settings.levels)
+    coarse = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m, settings.levels)
+    return fine, coarse
+
+
+def _along(uprights: Uprights, spacing: float, settings: StoreySettings) -> UprightsAlong:
+    """Return what looks up upright surface beside lines; sparse points are looked for farther away."""
+    cut = settings.cut
+    step, reach = max(cut.station_m, spacing), max(cut.corner_m, spacing)
+    return UprightsAlong(uprights, cut.beside_m, step, reach, settings.sheets.turn_deg)
 
 
 def _walls(

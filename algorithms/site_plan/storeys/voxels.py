@@ -164,20 +164,13 @@ def _fit_planes(
     count = len(xyz)
     normal = np.zeros((count, 3), np.float32)
     thickness = np.full(count, np.inf, np.float32)
-    one = np.int64(1)
     reach = radius * radius
     starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
     last = np.int64(-1)
     for i in range(count):
         if buckets[i] != last:
             last = buckets[i]
-            k = 0
-            for dx in range(-1, 2):
-                for dy in range(-1, 2):
-                    middle = last + (dx * (one << 42)) + (dy * (one << 21))
-                    starts[k] = np.searchsorted(buckets, middle - 1)
-                    ends[k] = np.searchsorted(buckets, middle + 2)
-                    k += 1
+            _find_around(buckets, last, starts, ends)
         n = 0
         sx = sy = sz = sxx = sxy = sxz = syy = syz = szz = 0.0
         for k in range(9):
@@ -197,17 +190,23 @@ def _fit_planes(
         if n < fewest:
             continue
         sx, sy, sz = sx / n, sy / n, sz / n
-        smallest = _thinnest(
-            sxx / n - sx * sx,
-            sxy / n - sx * sy,
-            sxz / n - sx * sz,
-            syy / n - sy * sy,
-            syz / n - sy * sz,
-            szz / n - sz * sz,
-            normal[i],
-        )
+        sxx, sxy, sxz = sxx / n - sx * sx, sxy / n - sx * sy, sxz / n - sx * sz
+        syy, syz, szz = syy / n - sy * sy, syz / n - sy * sz, szz / n - sz * sz
+        smallest = _thinnest(sxx, sxy, sxz, syy, syz, szz, normal[i])
         thickness[i] = np.sqrt(max(smallest, 0.0))
     return normal, thickness
+
+
+@njit(nogil=True, cache=True)
+def _find_around(buckets: np.ndarray, middle: int, starts: np.ndarray, ends: np.ndarray) -> None:
+    """Write where the nine columns of three buckets around a bucket start and end."""
+    k = 0
+    for dx in range(-1, 2):
+        for dy in range(-1, 2):
+            column = middle + (dx * (np.int64(1) << 42)) + (dy * (np.int64(1) << 21))
+            starts[k] = np.searchsorted(buckets, column - 1)
+            ends[k] = np.searchsorted(buckets, column + 2)
+            k += 1
 
 
 @njit(nogil=True, cache=True)

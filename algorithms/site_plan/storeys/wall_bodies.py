@@ -47,13 +47,13 @@ def between(faces: np.ndarray, thickest: float) -> BaseGeometry:
     """Return what lies behind two faces that turn their solid sides to each other."""
     along = faces[:, 2:] - faces[:, :2]
     sector = (np.arctan2(along[:, 1], along[:, 0]) // (2 * np.pi / SECTORS)).astype(int) % SECTORS
-    # The other face ends where a third wall meets this one, but goes on behind it.
+    # The other face ends where a third wall meets this one, but continues behind it.
     way = thickest * along / np.hypot(*along.T)[:, None]
     longer = faces + np.hstack([-way, way])
     parts = []
     for number in np.unique(sector):
-        turned = (sector - number - SECTORS // 2) % SECTORS
-        opposite = (turned <= 1) | (turned == SECTORS - 1)
+        apart = (sector - number - SECTORS // 2) % SECTORS
+        opposite = (apart <= 1) | (apart == SECTORS - 1)
         if opposite.any():
             own = behind(faces[sector == number], thickest)
             parts.append(own.intersection(behind(longer[opposite], thickest)))
@@ -61,7 +61,7 @@ def between(faces: np.ndarray, thickest: float) -> BaseGeometry:
 
 
 def behind(faces: np.ndarray, depth: float) -> BaseGeometry:
-    """Return what lies within a depth behind faces, with corners where one face goes on in another."""
+    """Return what lies within a depth behind faces, with corners where one face continues in another."""
     along = faces[:, 2:] - faces[:, :2]
     normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
     starts, ends = faces[:, :2], faces[:, 2:]
@@ -79,7 +79,7 @@ def behind(faces: np.ndarray, depth: float) -> BaseGeometry:
     return united([part for part in parts if part.is_valid and part.area > 0])
 
 
-def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float) -> BaseGeometry:
+def _corner(end: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float) -> BaseGeometry:
     """Return the corner between the strips behind two faces."""
     tip = (one + other) / max(1 + one @ other, 0.1) if one @ other > SHARP else (one + other) / 2
-    return MultiPoint([place, place + depth * one, place + depth * tip, place + depth * other]).convex_hull
+    return MultiPoint([end, end + depth * one, end + depth * tip, end + depth * other]).convex_hull

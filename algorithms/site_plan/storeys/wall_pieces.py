@@ -10,7 +10,7 @@ from shapely.prepared import prep
 from .settings import WallSettings
 
 OVER = 1e-3
-"""A cut goes on over the outline by so much, metres."""
+"""A cut extends beyond the outline by so much, metres."""
 
 START = 1e-4
 """A cut is looked for from so far before its corner, metres."""
@@ -38,7 +38,7 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
 
 
 def _inner_corners(body: Polygon, least: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the corners with more than half a turn inside the body, and the ways that their sides go on."""
+    """Return the corners with over 180 degrees inside the body, and where to their sides continue."""
     corners, ways = [], []
     for ring, sign in ((body.exterior, 1), *((ring, -1) for ring in body.interiors)):
         xy = np.asarray(ring.coords)[:-1]
@@ -79,9 +79,9 @@ def _cuts(
 
 
 def _cross(one: LineString, other: LineString) -> bool:
-    """Tell whether two cuts cross, other than at their ends."""
+    """Return whether two cuts cross, other than at their ends."""
     shared = one.intersection(other)
     if shared.is_empty:
         return False
-    ends = [Point(place) for line in (one, other) for place in line.coords]
+    ends = [Point(end) for line in (one, other) for end in line.coords]
     return shared.length > OVER or min(shared.distance(end) for end in ends) > 2 * OVER
