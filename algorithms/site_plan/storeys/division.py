@@ -17,6 +17,7 @@ from .arrangement import (
     sheet_lines,
 )
 from .evidence import UprightsAlong
+from .explaining import give_back
 from .footprint import Footprint
 from .minimum_cut import minimum_cut
 from .outlines import united
@@ -82,7 +83,7 @@ class Division:
         on_sheet = self.tracks.sheet >= 0
         fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
         stands = (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
-        body = np.where(on_sheet, self.bodies[self.tracks.sheet], self.levels - self.tall)
+        body = np.where(on_sheet, np.append(self.bodies, 0)[self.tracks.sheet], self.levels - self.tall)
         return stands & (body >= settings.body_levels)
 
 
@@ -98,23 +99,34 @@ def divide(
     arrangement = arrange(lines, footprint.frame)
     seen, unseen = seen_and_unseen(arrangement, footprint, settings)
     tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)
-    count = uprights.mean_levels(arrangement.ends)
-    above, tall = (
-        uprights.mean_levels(arrangement.ends, -1 << round(height / levels.level_m))
-        for height in (settings.section_m, settings.tall_m)
-    )
-    low = (1 << round(settings.tall_m / levels.level_m)) - 1
-    bodies = uprights.mean_levels(
-        np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4), low
-    )
-    cost = settings.border_m * arrangement.lengths
-    full = min(settings.full_levels, settings.full_share * _usual_levels(sheets))
-    cost = cost * (1 - (1 - settings.seen_border) * np.minimum(count / full, 1))
-    cost[tracks.beside] *= settings.beside_border
+    head, cut = (round(height / levels.level_m) for height in (settings.tall_m, settings.section_m))
+    masks = (-1, -1 << cut, -1 << head)
+    every, above, tall = (uprights.mean_levels(arrangement.ends, mask) for mask in masks)
+    ends = np.array([[*sheet.start, *sheet.stop] for sheet in sheets]).reshape(-1, 4)
+    bodies, heads = (uprights.mean_levels(ends, mask) for mask in ((1 << head) - 1, -1 << head))
+    nowhere = np.zeros(len(seen) + 1, bool)
+    division = Division(arrangement, tracks, nowhere, seen, every, above, tall, bodies)
+    cost = _costs(division, _usual_levels(sheets), settings)
     inner = (arrangement.sides >= 0).all(axis=1)
     is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
-    division = Division(arrangement, tracks, np.r_[is_room, False], seen, count, above, tall, bodies)
-    return _filled(division, settings)
+    division = _filled(replace(division, is_room=np.r_[is_room, False]), settings)
+    fullness = np.where(tracks.within, np.minimum(tall / _usual_heads(heads, settings), 1), 0)
+    borders = arrangement.sides, arrangement.lengths, cost, fullness
+    return replace(division, is_room=give_back(division.is_room, unseen - seen, *borders, settings))
+
+
+def _costs(division: Division, usual: float, settings: CutSettings) -> np.ndarray:
+    """Return what each border between room and solid costs, m2; least on full faces."""
+    full = min(settings.full_levels, settings.full_share * usual)
+    fullness = np.minimum(division.levels / full, 1)
+    cost = settings.border_m * division.arrangement.lengths * (1 - (1 - settings.seen_border) * fullness)
+    return np.where(division.tracks.beside, settings.beside_border * cost, cost)
+
+
+def _usual_heads(heads: np.ndarray, settings: CutSettings) -> float:
+    """Return the number of levels above furniture with which a face is full, from that of each sheet."""
+    heads = heads[heads >= settings.tall_levels]
+    return max(settings.full_share * float(np.median(heads)), settings.tall_levels) if len(heads) else np.inf
 
 
 def _usual_levels(sheets: Sequence[Sheet]) -> float:

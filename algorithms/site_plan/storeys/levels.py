@@ -95,6 +95,8 @@ def find_storey(voxels: Voxels, settings: LevelSettings = LevelSettings()) -> Op
     large = np.flatnonzero(pairs > settings.storey_share * pairs.max())
     floor = (first + large[0] + 1) * layer
     floor = float(np.median(z[np.abs(z - floor) <= layer]))
+    if voxels.xyz[:, 2].max() < floor + settings.lowest_storey_m:
+        return None
     above = (first + large) * layer
     above = above[above > floor + settings.lowest_storey_m]
     return Storey(floor, float(above[0]) if len(above) else None)

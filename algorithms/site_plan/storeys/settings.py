@@ -130,6 +130,10 @@ class CutSettings:
     body_levels: float = judged(1.0, "A beam has no surface below the heads of people, a wall has.")
     off_sheet_levels: float = judged(8.0, "Clutter has rough outlines that lie on no sheet, and is low.")
     shadow_share: float = judged(0.35, "What has tall faces on less of its rim is furniture or a shadow.")
+    unexplained_m: float = judged(
+        0.10, "A tall face with the same on both sides costs a partition's thickness."
+    )
+    parting: float = judged(0.3, "A border so full above furniture parts furniture from a wall.")
     tall_m: float = physical(1.9, "Most furniture is lower, and columns and cores are higher.")
     tall_levels: float = judged(2.0, "A single level above furniture may be what lies on top of it.")
 
@@ -207,7 +211,9 @@ class RoofSettings:
     cell_m: float = judged(0.2, "In cells so wide, a ceiling has few gaps between its points.")
     closed_m: float = physical(0.6, "Lamps, beams and the walls below a ceiling leave gaps up to this wide.")
     smallest_m2: float = judged(2.0, "Canopies, lintels and reflections are smaller than rooms.")
-    around_m: float = judged(3.0, "Outer walls, reveals and facades of a storey stand within this of its ceiling.")
+    around_m: float = judged(
+        3.0, "Outer walls, reveals and facades of a storey stand within this of its ceiling."
+    )
 
 
 @dataclass(frozen=True)
