@@ -18,6 +18,9 @@ SHARP = -0.5
 CRACK = 0.002
 """Cracks up to twice so wide are closed, metres."""
 
+SEAM_M2 = 0.002
+"""Closing cracks moves the edges of holes by so much area."""
+
 
 def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings()) -> list:
     """Return the walls behind faces, not cut into pieces.
@@ -39,12 +42,22 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = united([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
-    parts = parts_of(body)
     return [
-        tidy(part, settings)
-        for part in parts
+        tidy(_filled(part, solid, half), settings)
+        for part in parts_of(body)
         if part.geom_type == "Polygon" and part.area >= settings.smallest_m2
     ]
+
+
+def _filled(body: Polygon, solid, half: float) -> Polygon:
+    """Return a body without the holes that are solid and no wider than a wall: there walls cross."""
+    holes = [Polygon(ring) for ring in body.interiors]
+    kept = [
+        np.asarray(hole.exterior.coords)
+        for hole in holes
+        if not hole.buffer(-half).is_empty or hole.difference(solid).area > SEAM_M2
+    ]
+    return Polygon(np.asarray(body.exterior.coords), kept)
 
 
 def between(faces: np.ndarray, thickest: float):

@@ -40,6 +40,19 @@ def test_bodies_share_no_area_with_rooms_or_each_other():
     assert sum(body.area for body in bodies) == pytest.approx(unary_union(bodies).area, abs=1e-9)
 
 
+def test_the_cross_of_four_rooms_is_filled():
+    rooms = [box(x, y, x + 3, y + 3) for x in (0, 3.2) for y in (0, 3.2)]
+    (body,) = bodies_between(*rooms)
+    assert body.contains(box(3.01, 3.01, 3.19, 3.19))
+
+
+def test_a_closet_between_walls_is_not_filled():
+    around = [box(0, 0, 4, 3), box(4.1, 0, 5, 1.2), box(0, 3.1, 5, 6), box(5.1, 0, 8, 6), box(0, -3, 8, -0.1)]
+    rooms = [*around, box(4.1, 1.3, 5, 3)]
+    assert unary_union(bodies_between(*rooms)).intersection(unary_union(rooms)).area < 0.01
+    assert not any(body.contains(box(4.2, 0.2, 4.9, 1.1)) for body in bodies_between(*rooms))
+
+
 def test_a_column_in_a_room_is_a_body_of_its_own():
     column = box(1.8, 1.3, 2.2, 1.7)
     rim = np.asarray(column.exterior.coords)
