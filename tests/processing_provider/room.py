@@ -23,6 +23,21 @@ def room_points() -> np.ndarray:
     return np.concatenate(parts) + (1.0, 1.0, 0.0) + CORNER
 
 
+def covered_points(open_from: float = 0.0) -> np.ndarray:
+    """Return the points of the room with a ceiling, and a board that stands free in it.
+
+    Its eastern wall has no points above that height, unless it is 0.
+    """
+    inside = room_points() - CORNER - (1.0, 1.0, 0.0)
+    floor = inside[-(120 * 80) :]
+    ceiling = floor + (0.0, 0.0, 2.5)
+    along, up = (grid.ravel() for grid in np.meshgrid(np.arange(0, 0.8, 0.03), np.arange(0, 1.6, 0.03)))
+    board = np.column_stack([2.0 + along, np.full(along.size, 2.0), up])
+    if open_from:
+        inside = inside[(inside[:, 0] < 5.99) | (inside[:, 2] < open_from)]
+    return np.concatenate([inside, ceiling, board]) + (1.0, 1.0, 0.0) + CORNER
+
+
 def write_las(path: Path, points: np.ndarray, crs: Optional[CRS] = None) -> None:
     """Write `points` with intensities that differ."""
     header = laspy.LasHeader(point_format=6, version="1.4")

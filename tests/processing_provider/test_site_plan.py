@@ -5,8 +5,16 @@ from pathlib import Path
 import fiona
 import pytest
 from ichnograph.tests.processing_provider.models import build_model, destination, files
+from ichnograph.tests.processing_provider.room import covered_points, write_las
+from rasterio.crs import CRS
 
-FURTHER = {"AXES": "axes.gpkg", "ROOMS": "rooms.gpkg", "REPORT": "plan.html"}
+FURTHER = {
+    "AXES": "axes.gpkg",
+    "ROOMS": "rooms.gpkg",
+    "LIMITS": "limits.gpkg",
+    "LEFT_OUT": "left_out.gpkg",
+    "REPORT": "plan.html",
+}
 
 
 @pytest.fixture(scope="module")
@@ -18,6 +26,30 @@ def made(run, room, tmp_path_factory):
         WALLS=str(folder / "walls.gpkg"),
         **{name: str(folder / file) for name, file in FURTHER.items()},
     )
+
+
+@pytest.fixture(scope="module")
+def covered(run, tmp_path_factory):
+    """Make the plan of a room under a ceiling, whose eastern wall was seen up to 1.4 m; return it by cut."""
+    folder = tmp_path_factory.mktemp("covered")
+    write_las(folder / "room.laz", covered_points(open_from=1.4), CRS.from_epsg(25833))
+
+    def plan(section):
+        names = {"WALLS": "walls.gpkg", **FURTHER}
+        return run(
+            "siteplan",
+            INPUT=str(folder / "room.laz"),
+            SECTION=section,
+            **{name: str(folder / f"{section}_{file}") for name, file in names.items()},
+        )
+
+    return {section: plan(section) for section in (1.1, 2.0)}
+
+
+def rows_of(path):
+    with fiona.open(path) as layer:
+        assert layer.crs.to_epsg() == 25833
+        return [feature["properties"] for feature in layer]
 
 
 def test_the_room_is_found_between_its_faces(made):
@@ -41,6 +73,42 @@ def test_the_axes_run_around_the_room(made):
     assert {row["wall_id"] for row in rows} == {1}
 
 
+def test_without_a_ceiling_limits_and_what_was_left_out_are_empty_layers(made):
+    assert rows_of(made["LIMITS"]) == []
+    assert rows_of(made["LEFT_OUT"]) == []
+
+
+def test_under_a_ceiling_walls_and_rooms_are_those_of_the_storey(covered):
+    walls, (room,) = rows_of(covered[1.1]["WALLS"]), rows_of(covered[1.1]["ROOMS"])
+    assert [(row["wall_id"], row["kind"], row["body"]) for row in walls] == [
+        (number, "wall", 1) for number in (1, 2, 3, 4)
+    ]
+    assert {row["thickness"] for row in walls} == {None}
+    assert room["area"] == pytest.approx(24.0, abs=0.1)
+    assert (room["z_floor"], room["z_ceiling"]) == pytest.approx((70.0, 72.5), abs=0.01)
+    assert (room["openings"], room["seen"]) == (None, pytest.approx(1.0, abs=0.02))
+
+
+def test_what_stands_free_in_a_room_is_left_out_with_its_reason(covered):
+    (row,) = rows_of(covered[1.1]["LEFT_OUT"])
+    assert "furniture" in row["reason"]
+    assert row["length"] == pytest.approx(0.8, abs=0.08)
+
+
+def test_a_wall_that_ends_below_the_section_is_a_limit(covered):
+    assert rows_of(covered[1.1]["LIMITS"]) == []
+    limits = rows_of(covered[2.0]["LIMITS"])
+    assert sum(row["length"] for row in limits) == pytest.approx(4.0, abs=0.1)
+    assert covered[2.0]["WALL_COUNT"] == 3
+
+
+def test_the_storey_is_in_the_log(run, tmp_path, feedback):
+    write_las(tmp_path / "room.laz", covered_points(), CRS.from_epsg(25833))
+    run("siteplan", feedback, INPUT=str(tmp_path / "room.laz"), WALLS=str(tmp_path / "walls.gpkg"))
+    (line,) = [info for info in feedback.infos if info.startswith("Storey:")]
+    assert "floor at 70.00 m" in line
+
+
 def test_warnings_reach_the_log_even_if_no_wall_is_found(run, room, tmp_path, feedback):
     from qgis.core import QgsProcessingException
 
@@ -60,7 +128,9 @@ def test_the_defaults_of_the_parameters_are_those_of_the_core(plugin):
     from ichnograph.processing_provider.algorithms.site_plan import SitePlanAlgorithm, settings_of
 
     defaults = {item.name: getattr(item, "default", None) for item in SitePlanAlgorithm.inputs}
-    assert settings_of({**defaults, "HEIGHTS": 0, "AXES": None, "ROOMS": None}) == SitePlanSettings()
+    given = {**defaults, "HEIGHTS": 0, "AXES": None, "ROOMS": None}
+    assert settings_of(given) == SitePlanSettings()
+    assert settings_of({**given, "SECTION": 0.9}).storeys.cut.section_m == 0.9
 
 
 def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, tmp_path):

@@ -18,6 +18,10 @@ SHARP = -0.5
 """Cosine of the turn beyond which the corner of a strip is cut off."""
 
 
+SEAM_M2 = 0.002
+"""Closing cracks moves the edges of holes by so much area."""
+
+
 def wall_bodies(
     faces: np.ndarray, solid: BaseGeometry, settings: WallSettings = WallSettings()
 ) -> list[Polygon]:
@@ -40,7 +44,19 @@ def wall_bodies(
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = united([strips, backed]).buffer(crack, join_style=MITRE).buffer(-crack, join_style=MITRE)
-    return [tidy(part, settings) for part in polygons_of(body) if part.area >= settings.smallest_m2]
+    parts = [part for part in polygons_of(body) if part.area >= settings.smallest_m2]
+    return [tidy(_filled(part, solid, half), settings) for part in parts]
+
+
+def _filled(body: Polygon, solid: BaseGeometry, half: float) -> Polygon:
+    """Return a body without the holes that are solid and no wider than a wall: there walls cross."""
+    holes = [Polygon(ring) for ring in body.interiors]
+    kept = [
+        np.asarray(hole.exterior.coords)
+        for hole in holes
+        if not hole.buffer(-half).is_empty or hole.difference(solid).area > SEAM_M2
+    ]
+    return Polygon(np.asarray(body.exterior.coords), kept)
 
 
 def between(faces: np.ndarray, thickest: float) -> BaseGeometry:

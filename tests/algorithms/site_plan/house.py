@@ -51,3 +51,10 @@ def plan_of_house() -> SitePlan:
     """Return the plan with axes and rooms; made once."""
     settings = SitePlanSettings(with_axes=True, with_rooms=True)
     return replace(make_site_plan(cloud_of(points_of_house()), settings), crs=UTM)
+
+
+def points_under_ceiling(*furniture: np.ndarray) -> np.ndarray:
+    """Return points inside a room of 4 by 3 m that has a ceiling, as a scanner in it would leave them."""
+    corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+    faces = [upright(a, b, 0.0, 2.6) for a, b in zip(corners, corners[1:] + corners[:1])]
+    return np.concatenate([*(level((0, 4), (0, 3), z) for z in (0.0, 2.6)), *faces, *furniture])

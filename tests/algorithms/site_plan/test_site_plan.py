@@ -1,6 +1,7 @@
 """A cloud becomes the plan of a site in one call."""
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 import pytest
@@ -16,18 +17,23 @@ from ichnograph.algorithms.site_plan.density.height_range import HeightRange
 from ichnograph.algorithms.site_plan.rooms.settings import RoomSettings
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import NO_ROOM, extract_walls, make_site_plan
+from ichnograph.algorithms.site_plan.storeys.settings import CutSettings, StoreySettings
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
 from ichnograph.tests.algorithms.site_plan.house import (
     ROOMS,
     THICKNESS,
     plan_of_house,
     points_of_house,
+    points_under_ceiling,
     walls_of_house,
 )
 from ichnograph.tests.algorithms.site_plan.masonry import offset
 from ichnograph.tests.algorithms.site_plan.rasters import wall_tower_and_beam
-from ichnograph.tests.algorithms.site_plan.site import cloud_of, level
+from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of, level
+from ichnograph.tests.algorithms.site_plan.site import box as sides_of
+from shapely.affinity import translate
 from shapely.geometry import box
+from shapely.ops import unary_union
 
 EVERYTHING = SitePlanSettings(with_axes=True, with_rooms=True)
 GATE = box(1.0, -0.3, 3.0, 0.0)
@@ -160,3 +166,100 @@ def test_the_warnings_of_the_raster_come_before_those_of_the_gate():
     first, second = extract_walls(blind, WallParameters()).warnings
     assert first == "A warning of the raster."
     assert "MIN_HEIGHT is not applied" in second
+
+
+@lru_cache(maxsize=1)
+def plan_under_ceiling():
+    return make_site_plan(cloud_of(points_under_ceiling()), EVERYTHING)
+
+
+def in_world(outline):
+    return translate(outline, *(ORIGIN + SHIFT)[:2])
+
+
+def test_without_a_ceiling_there_is_no_storey():
+    assert plan_of_house().storey is None
+    assert {wall.body for wall in plan_of_house().walls} == {None}
+
+
+def test_under_a_ceiling_walls_are_pieces_between_corners():
+    walls = plan_under_ceiling().walls
+    assert [(wall.wall_id, wall.kind, wall.body) for wall in walls] == [(i, "wall", 1) for i in (1, 2, 3, 4)]
+    assert {wall.thickness for wall in walls} == {None}
+    assert all(wall.z_top == pytest.approx(2.6, abs=0.11) for wall in walls)
+    assert sorted(wall.azimuth for wall in walls) == pytest.approx([0, 0, 90, 90], abs=0.5)
+
+
+def test_under_a_ceiling_the_room_is_what_was_seen_between_faces():
+    (room,) = plan_under_ceiling().rooms
+    assert room.outline.symmetric_difference(in_world(box(0, 0, 4, 3))).area < 0.03
+    assert (room.room_id, room.openings) == (1, None)
+    assert (room.z_floor, room.z_ceiling) == pytest.approx((0.0, 2.6), abs=0.005)
+    assert room.seen > 0.99
+
+
+def test_the_axes_lie_within_the_walls():
+    plan = plan_under_ceiling()
+    walls = unary_union([wall.outline for wall in plan.walls]).buffer(0.001)
+    assert plan.axes_length == pytest.approx(14, abs=0.1)
+    assert all(walls.contains(axis.line) for axis in plan.axes)
+    assert {axis.wall_id for axis in plan.axes} == {1}
+
+
+def test_walls_and_rooms_share_no_area():
+    plan = plan_under_ceiling()
+    walls, (room,) = unary_union([wall.outline for wall in plan.walls]), plan.rooms
+    assert sum(wall.outline.area for wall in plan.walls) == pytest.approx(walls.area)
+    assert walls.intersection(room.outline).area < 0.02
+
+
+def test_without_refinement_a_ceiling_makes_no_storey():
+    plan = make_site_plan(cloud_of(points_under_ceiling()), replace(EVERYTHING, refine=False))
+    assert plan.storey is None
+    assert plan.walls == plan.pixel_walls
+    assert {room.seen for room in plan.rooms} <= {None}
+
+
+def test_a_room_is_the_same_wherever_it_lies_in_the_grid():
+    away = np.array([13.37, -5.71, 0.0])
+    moved = make_site_plan(cloud_of(points_under_ceiling() + away), EVERYTHING)
+    plan = plan_under_ceiling()
+    for one, other in ((plan.rooms, moved.rooms), (plan.walls, moved.walls)):
+        assert len(one) == len(other)
+        before, after = (unary_union([item.outline for item in items]) for items in (one, other))
+        assert translate(before, *away[:2]).symmetric_difference(after).area < 0.03
+
+
+def test_a_house_and_its_yard_are_one_plan():
+    yard = [level((4.5, 11), (-0.5, 4), 0.0), sides_of((7, 10), (1.0, 1.3), 0.0, 1.8)]
+    plan = make_site_plan(cloud_of(points_under_ceiling(*yard)), EVERYTHING)
+    assert [wall.wall_id for wall in plan.walls] == [*range(1, len(plan.walls) + 1)]
+    inside, outside = (
+        [wall for wall in plan.walls if (wall.body is None) == open_] for open_ in (False, True)
+    )
+    assert {wall.kind for wall in inside} == {"wall"}
+    (free,) = outside
+    assert free.outline.symmetric_difference(in_world(box(7, 1.0, 10, 1.3))).area < 0.1
+    assert [round(room.area) for room in plan.rooms] == [12]
+
+
+def test_furniture_before_a_wall_does_not_move_the_wall():
+    cupboard = sides_of((1.0, 2.5), (0.03, 0.6), 0.0, 1.9)
+    points = points_under_ceiling()
+    behind = np.all((points > (1.03, -0.01, -0.01)) & (points < (2.47, 0.57, 1.87)), axis=1)
+    plan = make_site_plan(cloud_of(np.concatenate([points[~behind], cupboard])), EVERYTHING)
+    (room,) = plan.rooms
+    assert room.outline.symmetric_difference(in_world(box(0, 0, 4, 3))).area < 0.05
+    (reason,) = {item.reason for item in plan.storey.left_out}
+    assert "furniture" in reason
+
+
+@pytest.mark.parametrize(("section", "expected"), [(1.1, True), (1.5, False)])
+def test_what_ends_below_the_section_is_a_limit_and_no_wall(section, expected):
+    points = points_under_ceiling()
+    cut_off = points[(points[:, 0] < 3.95) | (points[:, 2] < 1.3) | (points[:, 2] > 2.59)]
+    storeys = StoreySettings(cut=CutSettings(section_m=section))
+    plan = make_site_plan(cloud_of(cut_off), replace(EVERYTHING, storeys=storeys))
+    east = in_world(box(3.9, 0.5, 4.1, 2.5))
+    assert any(wall.outline.intersects(east) for wall in plan.walls) == expected
+    assert any(line.intersects(east) for line in plan.storey.limits) != expected

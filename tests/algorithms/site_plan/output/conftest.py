@@ -57,6 +57,7 @@ def plan():
         density=image,
         pixel_walls=found.walls,
         foliage=0,
+        storey=None,
         axes=None,
         rooms=find_rooms([wall.outline for wall in found.walls]),
     )

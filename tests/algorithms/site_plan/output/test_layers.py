@@ -9,16 +9,21 @@ import rasterio
 from ichnograph.algorithms.site_plan.axes.axes import find_axes
 from ichnograph.algorithms.site_plan.output.layers import (
     AXIS_FIELDS,
+    LEFT_OUT_FIELDS,
     ROOM_FIELDS,
     WALL_FIELDS,
     write_axes,
+    write_left_out,
+    write_limits,
     write_plan,
     write_rooms,
     write_walls,
 )
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
+from ichnograph.algorithms.site_plan.storeys.levels import Storey
+from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
 from ichnograph.tests.algorithms.site_plan.house import UTM, plan_of_house
-from shapely.geometry import Point, box, shape
+from shapely.geometry import LineString, Point, Polygon, box, shape
 
 HOUSE = box(412_300, 5_812_300, 412_306.6, 5_812_304.6).difference(
     box(412_300.3, 5_812_300.3, 412_306.3, 5_812_304.3)
@@ -83,3 +88,44 @@ def test_without_rooms_the_layer_is_empty(tmp_path, rooms):
     write_rooms(tmp_path / "rooms.shp", replace(plan_of_house(), rooms=rooms))
     with fiona.open(tmp_path / "rooms.shp") as layer:
         assert len(layer) == 0
+
+
+def with_storey(limits, left_out):
+    storey = StoreyPlan(
+        (), (), tuple(limits), tuple(left_out), (), Polygon(), Storey(70.0, 72.5), 0.02, 0.002
+    )
+    return replace(plan_of_house(), storey=storey)
+
+
+@pytest.mark.parametrize("ending", ["shp", "gpkg"])
+def test_limits_and_what_was_left_out_are_lines(tmp_path, ending):
+    limit = LineString([(412_300, 5_812_300), (412_303, 5_812_304)])
+    board = LineString([(412_301, 5_812_301), (412_302, 5_812_301)])
+    plan = with_storey([limit], [LeftOut(board, "stands free in a room")])
+    write_limits(tmp_path / f"limits.{ending}", plan)
+    write_left_out(tmp_path / f"left_out.{ending}", plan)
+    with fiona.open(tmp_path / f"limits.{ending}") as layer:
+        (feature,) = layer
+        assert layer.crs.to_epsg() == 25833
+        assert feature["properties"]["length"] == pytest.approx(5.0)
+        assert shape(feature["geometry"]).equals(limit)
+    with fiona.open(tmp_path / f"left_out.{ending}") as layer:
+        (feature,) = layer
+        assert list(layer.schema["properties"]) == list(LEFT_OUT_FIELDS)
+        assert dict(feature["properties"]) == {"reason": "stands free in a room", "length": 1.0}
+        assert shape(feature["geometry"]).equals(board)
+
+
+def test_every_reason_fits_into_its_field(tmp_path):
+    long = "x" * 80
+    write_left_out(tmp_path / "out.shp", with_storey([], [LeftOut(LineString([(0, 0), (1, 0)]), long)]))
+    with fiona.open(tmp_path / "out.shp") as layer:
+        assert [feature["properties"]["reason"] for feature in layer] == [long]
+
+
+@pytest.mark.parametrize("write", [write_limits, write_left_out])
+def test_without_a_storey_the_layer_is_empty(tmp_path, write):
+    write(tmp_path / "empty.gpkg", plan_of_house())
+    with fiona.open(tmp_path / "empty.gpkg") as layer:
+        assert len(layer) == 0
+        assert layer.schema["geometry"] == "LineString"

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.site_plan.storeys.levels import find_uprights, frame_around
-from ichnograph.algorithms.site_plan.storeys.regular import share_lines, square_up
-from ichnograph.algorithms.site_plan.storeys.sheets import Sheet, find_sheets
+from ichnograph.algorithms.site_plan.storeys.sheets import find_sheets
 from ichnograph.algorithms.site_plan.storeys.voxels import make_voxels
 from ichnograph.tests.algorithms.site_plan.storeys.scans import scanned, upright
 
@@ -13,10 +12,6 @@ def sheets_of(*surfaces, noise=0.002):
     voxels = make_voxels([scanned(*surfaces, noise=noise)])
     uprights = find_uprights(voxels, 0.0, frame_around(voxels, 0.02, 1.0))
     return find_sheets(uprights, voxels.noise_m, voxels.spacing_m)
-
-
-def sheet(start, stop, levels=20.0):
-    return Sheet(np.array(start, float), np.array(stop, float), levels, 0.002)
 
 
 def test_a_wall_is_one_sheet_on_its_face():
@@ -45,21 +40,3 @@ def test_what_is_low_is_no_sheet():
 def test_a_corner_gives_two_sheets_square_to_each_other():
     first, second = sheets_of(upright((0, 0), (3, 0)), upright((3, 0), (3, 2)))
     assert abs(first.direction @ second.direction) < 0.005
-
-
-def test_pieces_of_a_wall_on_both_sides_of_a_door_share_a_line():
-    first, second = share_lines([sheet((0, 0), (2, 0.004)), sheet((2.9, 0.001), (5, 0.003))])
-    assert abs(first.normal @ (second.start - first.start)) < 1e-9
-    assert abs(first.normal @ (second.stop - first.start)) < 1e-9
-
-
-def test_walls_a_hand_apart_do_not_share_a_line():
-    found = share_lines([sheet((0, 0), (2, 0)), sheet((2.9, 0.1), (5, 0.1))])
-    assert sorted(one.start[1] for one in found) == [0.0, 0.1]
-
-
-def test_a_short_sheet_is_turned_square_to_a_long_one():
-    reveal = square_up([sheet((0, 0), (3, 0)), sheet((3.002, 0), (3.008, 0.12))])[1]
-    assert reveal.direction == pytest.approx([0, 1], abs=1e-9)
-    slanted = sheet((3, 0), (3.06, 0.12))
-    assert square_up([sheet((0, 0), (3, 0)), slanted])[1] is slanted

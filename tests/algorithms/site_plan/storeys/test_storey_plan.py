@@ -170,6 +170,65 @@ def test_without_floor_and_ceiling_nothing_is_decided():
     assert plan.region.is_empty
 
 
+@pytest.mark.parametrize(
+    "points",
+    [
+        np.zeros((0, 3)),
+        np.zeros((1, 3)),
+        np.tile([[1.0, 2.0, 3.0]], (50, 1)),
+        np.random.default_rng(1).uniform(0, 3, (40, 3)),
+        scanned(upright((0, 0), (4, 0))),
+        scanned(upright((0, 0), (4, 0), 1.0, 1.4), upright((4, 0), (4, 3), 1.0, 1.4)),
+    ],
+    ids=["nothing", "one point", "one place", "scattered points", "one wall", "a slice"],
+)
+def test_odd_input_gives_an_empty_plan(points):
+    plan = plan_of(points)
+    assert (plan.walls, plan.rooms, plan.limits, plan.left_out, plan.storey) == ((), (), (), (), None)
+
+
+def test_no_chunks_give_an_empty_plan():
+    assert make_storey_plan([]).storey is None
+
+
+def test_a_floor_alone_bounds_no_room_by_walls():
+    plan = plan_of(scanned(flat(0, 0, 4, 3, 0.0)))
+    assert (plan.walls, plan.rooms) == ((), ())
+
+
+def test_one_wall_and_its_floor_are_a_wall_and_no_crash():
+    plan = plan_of(scanned(flat(0, 0, 4, 3, 0.0), upright((0, 0), (4, 0))))
+    assert plan.storey.ceiling is None
+    assert walls_of(plan).intersection(box(0.1, -0.1, 3.9, 0.1)).area > 0.05
+
+
+def test_a_slice_through_a_room_bounds_no_rooms():
+    points = scanned(room(0, 0, 4, 3))
+    plan = plan_of(points[(points[:, 2] > 0.9) & (points[:, 2] < 1.3)])
+    assert plan.rooms == ()
+
+
+def test_a_moved_plan_is_moved_as_a_whole():
+    board = upright((1.5, 1.5), (2.3, 1.5), 0, 1.6)
+    plan = plan_of(scanned(without(room(0, 0, 6, 3), (4.0, -1, -1), (9, 9, 9)), board))
+    moved = plan.moved(100.0, -20.0)
+    assert plan.left_out
+    assert plan.limits
+    for name in ("walls", "rooms"):
+        for one, other in zip(getattr(plan, name), getattr(moved, name)):
+            assert np.subtract(other.outline.bounds, one.outline.bounds) == pytest.approx([100, -20] * 2)
+    for one, other in zip(plan.limits, moved.limits):
+        assert np.subtract(other.bounds, one.bounds) == pytest.approx([100, -20] * 2)
+    for one, other in zip(plan.left_out, moved.left_out):
+        assert np.subtract(other.line.bounds, one.line.bounds) == pytest.approx([100, -20] * 2)
+        assert other.reason == one.reason
+    for one, other in zip(plan.sheets, moved.sheets):
+        assert other.start - one.start == pytest.approx([100, -20])
+        assert other.stop - one.stop == pytest.approx([100, -20])
+    assert np.subtract(moved.region.bounds, plan.region.bounds) == pytest.approx([100, -20] * 2)
+    assert (moved.storey, moved.noise_m) == (plan.storey, plan.noise_m)
+
+
 def test_the_user_can_stop():
     from ichnograph.algorithms.errors import CancelledError
 
