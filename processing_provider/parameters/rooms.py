@@ -10,6 +10,8 @@ from .parameter import Number
 
 if TYPE_CHECKING:
     from ...algorithms.site_plan.results import SitePlan
+    from ...algorithms.site_plan.storeys.levels import Storey
+    from ...algorithms.site_plan.storeys.storey_plan import StoreyPlan
 
 DOOR_WIDTH = Number(
     "DOOR_WIDTH",
@@ -91,7 +93,7 @@ ROOM_NUMBERS = (
 def log_rooms(plan: "SitePlan", log: Log) -> None:
     """Write to the log the storey, and which axes and rooms were found, if they were wanted."""
     if plan.storey and plan.storey.storey:
-        log.info(_storey(plan))
+        log.info(_storey(plan.storey, plan.storey.storey))
     elif plan.settings.refine:
         log.info("No ceiling was seen: the walls are those of the density image.")
     if plan.axes is not None:
@@ -100,15 +102,12 @@ def log_rooms(plan: "SitePlan", log: Log) -> None:
         log.info(f"Rooms: {len(plan.rooms)}, {plan.room_area:.2f} m².")
 
 
-def _storey(plan: "SitePlan") -> str:
+def _storey(found: "StoreyPlan", heights: "Storey") -> str:
     """Return what the log says of the storey."""
-    found = plan.storey
-    assert found is not None
-    assert found.storey is not None
     limits = sum(line.length for line in found.limits)
     left_out = sum(item.line.length for item in found.left_out)
     return (
-        f"Storey: floor at {found.storey.floor:.2f} m, ceiling at {found.storey.ceiling:.2f} m; points "
+        f"Storey: floor at {heights.floor:.2f} m, ceiling at {heights.ceiling:.2f} m; points "
         f"{100 * found.spacing_m:.1f} cm apart, noise {1000 * found.noise_m:.0f} mm. Borders of rooms "
         f"without a wall: {limits:.1f} m. Left out as furniture and the like: {left_out:.1f} m."
     )
