@@ -14,6 +14,7 @@ from ichnograph.algorithms.site_plan.storeys.voxels import Voxels
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, upright
 
 UP, EAST = (0, 0, 1), (1, 0, 0)
+WALL = upright((0, 0), (2, 0)), EAST
 
 
 def voxels_of(*surfaces):
@@ -33,13 +34,17 @@ def test_the_floor_is_the_lowest_large_layer_and_the_ceiling_the_next():
 
 def test_a_small_pit_and_a_table_are_not_the_floor():
     floor, pit, table = flat(0, 0, 3, 3, 0.01), flat(0, 0, 0.5, 0.5, -0.6), flat(1, 1, 2, 2, 0.75)
-    storey = find_storey(voxels_of((floor, UP), (pit, UP), (table, UP)))
+    storey = find_storey(voxels_of((floor, UP), (pit, UP), (table, UP), WALL))
     assert storey.floor == pytest.approx(0.01, abs=1e-6)
 
 
 def test_what_is_too_low_to_stand_under_is_no_ceiling():
-    storey = find_storey(voxels_of((flat(0, 0, 2, 2, 0.0), UP), (flat(0, 0, 2, 2, 1.5), UP)))
+    storey = find_storey(voxels_of((flat(0, 0, 2, 2, 0.0), UP), (flat(0, 0, 2, 2, 1.5), UP), WALL))
     assert storey.ceiling is None
+
+
+def test_a_slice_that_nobody_could_stand_in_is_no_storey():
+    assert find_storey(voxels_of((flat(0, 0, 2, 2, 0.0), UP), (flat(0, 0, 2, 2, 1.5), UP))) is None
 
 
 def test_where_nothing_is_flat_there_is_no_storey():
