@@ -189,11 +189,11 @@ class WallSettings:
     """How borders of rooms become walls."""
 
     thickest_m: float = physical(0.6, "Two faces farther apart are two walls, or the outsides of a core.")
-    strip_m: float = judged(0.02, "A wall that one face was seen of is drawn thin, as its back is unknown.")
+    strip_m: float = physical(0.03, "Half of the thinnest partition: the back of such a wall is not known.")
     crack_m: float = judged(0.002, "Cracks up to twice as wide come from faces that do not quite meet.")
     shortest_m: float = physical(0.005, "Nobody draws a shorter edge of a wall.")
     straight_m: float = physical(0.001, "A corner so little off the line of its neighbours says nothing.")
-    smallest_m2: float = judged(0.01, "Smaller scraps are not walls.")
+    smallest_m2: float = judged(0.002, "A strip of 10 cm is the shortest wall that one face shows.")
     longest_cut_m: float = physical(0.9, "A cut slantwise across a thick wall is no longer.")
     junction_sine: float = judged(
         0.25, "Walls that differ in direction by less than 15 degrees are one wall."
