@@ -1,7 +1,7 @@
 """The site plan: from the points of scans to walls, axes and rooms (Mueller, Kohoutek and Theiler 2012)."""
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager
 from typing import Optional
 
 from ..clouds.cloud import Cloud
@@ -29,8 +29,8 @@ def make_site_plan(
     """Make the plan of a site.
 
     The cloud is thinned and a density image is computed, walls are extracted from it, and their outlines are
-    moved onto the faces that the points show. Where a ceiling was seen, rooms and walls come from the faces and
-    the floor of the storey instead. Axes follow from the outlines, and so do rooms in the open.
+    moved onto the faces that the points show. Where a ceiling was seen, rooms and walls come from the faces
+    and the floor of the storey instead. Axes follow from the outlines, and so do rooms in the open.
 
     Parameters
     ----------
@@ -48,24 +48,11 @@ def make_site_plan(
     CancelledError
         If the caller asked to stop.
     """
-    with (
-        _sorted(cloud, settings, progress.part(0.0, 0.5)) as (density, points),
-        _warnings_kept(density.warnings),
-    ):
-        chosen = settings.wall_parameters, progress.part(0.5, 0.6), settings.walls
-        found = extract_walls(DensityRaster.of(density), *chosen)
-        walls, foliage, storey = found.walls, 0, None
-        if settings.refine:
-            pixels = found.image.walls
-            fitting = progress.part(0.6, 0.7)
-            walls, foliage = refine_on_points(walls, pixels, points, density, fitting, settings.faces)
-            storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
-    if storey:
-        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
-    axes = _axes(walls, settings, progress.part(0.9, 0.95)) if settings.with_axes else None
-    rooms = (
-        _rooms(walls, storey, density, settings, progress.part(0.95, 1.0)) if settings.with_rooms else None
-    )
+    with _sorted(cloud, settings, progress.part(0.0, 0.5)) as (density, points):
+        found = _extracted(density, settings, progress.part(0.5, 0.6))
+        walls, foliage, storey = _on_faces(found, points, density, settings, progress)
+    axes = _axes(walls, settings, progress.part(0.9, 0.95))
+    rooms = _rooms(walls, storey, density, settings, progress.part(0.95, 1.0))
     progress.update(1.0)
     return SitePlan(
         transform=density.transform,
@@ -115,11 +102,15 @@ def extract_walls(
     return WallPlan(raster.transform, raster.crs, image, walls, warnings)
 
 
+@contextmanager
 def _sorted(
     cloud: Cloud, settings: SitePlanSettings, progress: Progress
-) -> AbstractContextManager[tuple[DensityImage, SortedPoints]]:
-    """Compute the density image, and keep the points for the faces."""
-    return sort_and_image(
+) -> Iterator[tuple[DensityImage, SortedPoints]]:
+    """Compute the density image, and keep the points for the faces.
+
+    If nothing is found, its warnings are added to the error, as they may say why.
+    """
+    with sort_and_image(
         cloud,
         settings.spacing_m,
         settings.pixel_size_m,
@@ -127,20 +118,40 @@ def _sorted(
         progress,
         settings.height_range,
         settings.density,
-    )
+    ) as (density, points):
+        try:
+            yield density, points
+        except NothingFoundError as error:
+            raise NothingFoundError(str(error), density.warnings) from error
 
 
-@contextmanager
-def _warnings_kept(warnings: tuple[str, ...]) -> Iterator[None]:
-    """Add warnings to the error if nothing is found, as they may say why."""
-    try:
-        yield
-    except NothingFoundError as error:
-        raise NothingFoundError(str(error), warnings) from error
+def _extracted(density: DensityImage, settings: SitePlanSettings, progress: Progress) -> WallPlan:
+    raster = DensityRaster.of(density)
+    return extract_walls(raster, settings.wall_parameters, progress, settings.walls)
 
 
-def _axes(walls: tuple[Wall, ...], settings: SitePlanSettings, progress: Progress) -> tuple[Axis, ...]:
-    return find_axes(bodies(walls), settings.axes, progress)
+def _on_faces(
+    found: WallPlan,
+    points: SortedPoints,
+    density: DensityImage,
+    settings: SitePlanSettings,
+    progress: Progress,
+) -> tuple[tuple[Wall, ...], int, Optional[StoreyPlan]]:
+    """Return walls with outlines on the faces, the number left out as foliage, and the plan of the storey."""
+    if not settings.refine:
+        return found.walls, 0, None
+    chosen = progress.part(0.6, 0.7), settings.faces
+    walls, foliage = refine_on_points(found.walls, found.image.walls, points, density, *chosen)
+    storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
+    if storey:
+        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
+    return walls, foliage, storey
+
+
+def _axes(
+    walls: tuple[Wall, ...], settings: SitePlanSettings, progress: Progress
+) -> Optional[tuple[Axis, ...]]:
+    return find_axes(bodies(walls), settings.axes, progress) if settings.with_axes else None
 
 
 def _rooms(
@@ -149,7 +160,9 @@ def _rooms(
     density: DensityImage,
     settings: SitePlanSettings,
     progress: Progress,
-) -> tuple[Room, ...]:
+) -> Optional[tuple[Room, ...]]:
+    if not settings.with_rooms:
+        return None
     rooms = find_rooms([wall.outline for wall in walls], settings.rooms, progress)
     rooms = with_floors(rooms, density.ground, density.transform)
     return join_rooms(rooms, storey, settings.storeys.joining) if storey else rooms

@@ -26,8 +26,8 @@ DOOR_WIDTH = Number(
 SECTION = Number(
     "SECTION",
     "Height of the cut above the floor",
-    "Where a ceiling was seen, the plan shows what stands at this height above the floor. Faces are recognised "
-    "over the full height of the storey.",
+    "Where a ceiling was seen, the plan shows what stands at this height above the floor. Faces are "
+    "recognised over the full height of the storey.",
     unit="m",
     default=1.1,
     minimum=0.2,
@@ -57,7 +57,8 @@ ROOMS = PolygonDestination(
 LIMITS = LineDestination(
     "LIMITS",
     "Limits of the scan",
-    "Lines where a room ends without a wall, because the scan ends there. GeoPackage or shapefile, by extension.",
+    "Lines where a room ends without a wall, because the scan ends there. GeoPackage or shapefile, by "
+    "extension.",
     style="limits",
     optional=True,
     by_default=False,
@@ -108,8 +109,8 @@ def _storey(plan: "SitePlan") -> str:
     left_out = sum(item.line.length for item in found.left_out)
     return (
         f"Storey: floor at {found.storey.floor:.2f} m, ceiling at {found.storey.ceiling:.2f} m; points "
-        f"{100 * found.spacing_m:.1f} cm apart, noise {1000 * found.noise_m:.0f} mm. Borders of rooms without "
-        f"a wall: {limits:.1f} m. Left out as furniture and the like: {left_out:.1f} m."
+        f"{100 * found.spacing_m:.1f} cm apart, noise {1000 * found.noise_m:.0f} mm. Borders of rooms "
+        f"without a wall: {limits:.1f} m. Left out as furniture and the like: {left_out:.1f} m."
     )
 
 

@@ -1,17 +1,17 @@
-"""The plan of a storey: faces and seen floor first.
+"""The plan of a storey that lies under a ceiling: faces and seen floor first (beyond the paper).
 
-From points to rooms and walls, one step a module, each on arrays and shapely geometry:
+The points become voxels with normals (`voxels`), which show floor, ceiling and upright surfaces (`levels`).
+Upright surfaces become straight sheets (`sheets`) on common lines (`regular`). Where floor or ceiling was
+seen is in `footprint`. The lines of the sheets and the outline of the footprint divide the storey into cells
+(`arrangement`), which are room or solid by the cheapest cut (`division`, `minimum_cut`). How much upright
+surface stands along a line is in `evidence`.
 
-voxels        points become voxels of 2 cm with normals; spacing and noise are measured
-levels        floor, ceiling, and by pixel the levels of 10 cm that upright surface fills
-sheets        straight upright surfaces are grown over these pixels; `regular` puts them on common lines
-footprint     by pixel, how sure it is that floor or ceiling was seen
-arrangement   the lines of sheets and the footprint's outline divide the storey into cells
-evidence      how much upright surface stands along a line
-division      `minimum_cut` calls the cells room or solid; the borders between them are faces or limits
-openings      rooms are cut under lintels and over sills; `necks` cuts them at narrow places
-room_cells    the rooms, and the parapets below windows
-free_faces    faces that bound no room: facades, and thin walls that stand free
-wall_bodies   what stands behind faces; `wall_pieces` cuts it between junctions, `walls` measures it
-storey_plan   all of it: `make_storey_plan`
+Rooms end at openings and necks (`room_cells`, `openings`, `necks`, `spaces`). The walls stand behind their
+faces, and behind those that bound no room (`free_faces`, `wall_bodies`). They are cut into pieces
+(`wall_pieces`) and measured (`walls`). In the region of the storey (`roof`) its plan replaces that of the
+density image (`joining`).
+
+Public names: `joining.plan_storey`, `joining.join_walls`, `joining.join_rooms`, `joining.bodies`,
+`storey_plan.make_storey_plan`, `storey_plan.StoreyPlan`, `storey_plan.LeftOut`, `room_cells.Room`,
+`walls.Wall`, `settings.StoreySettings`.
 """

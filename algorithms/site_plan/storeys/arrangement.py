@@ -1,13 +1,14 @@
 """The cells that the lines of the sheets and the outline of the footprint divide a storey into."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from affine import Affine
 from rasterio.features import rasterize, shapes
 from scipy import ndimage
 from shapely.affinity import affine_transform
-from shapely.geometry import LineString, box, shape
+from shapely.geometry import LineString, Polygon, box, shape
 from shapely.geometry.polygon import orient
 from shapely.ops import polygonize, unary_union
 
@@ -19,10 +20,6 @@ from .sheets import Sheet
 OUTSIDE = -1
 """Number of the cell beyond the frame."""
 
-CORE_SEEN, CORE_KNOWN = 0.2, 0.4
-"""A cell is the core of a wall if less than the first share of what is known was seen, and more than
-the second share is known."""
-
 ON_LINE = 1e-4
 """A border lies on a line if both its ends are so near to it, metres."""
 
@@ -33,14 +30,14 @@ class Arrangement:
 
     Attributes
     ----------
-    cells : list of Polygon
+    cells : tuple of Polygon
     ends : ndarray of float64, shape (n, 4)
         Borders: x, y of both ends, metres.
     sides : ndarray of int, shape (n, 2)
         The cells to the left and to the right of each border; `OUTSIDE` beyond the frame.
     """
 
-    cells: list
+    cells: tuple[Polygon, ...]
     ends: np.ndarray
     sides: np.ndarray
 
@@ -50,7 +47,7 @@ class Arrangement:
         return np.hypot(self.ends[:, 2] - self.ends[:, 0], self.ends[:, 3] - self.ends[:, 1])
 
 
-def arrange(lines: Iterable, frame: Frame) -> Arrangement:
+def arrange(lines: Iterable[LineString], frame: Frame) -> Arrangement:
     """Divide a frame by lines.
 
     Parameters
@@ -60,7 +57,7 @@ def arrange(lines: Iterable, frame: Frame) -> Arrangement:
     """
     height, width = (count * frame.pixel_m for count in frame.shape)
     rim = box(frame.left, frame.bottom, frame.left + width, frame.bottom + height)
-    cells = list(polygonize(unary_union([rim.exterior, *(line.intersection(rim) for line in lines)])))
+    cells = tuple(polygonize(unary_union([rim.exterior, *(line.intersection(rim) for line in lines)])))
     starts, stops, owner = [], [], []
     for number, cell in enumerate(cells):
         # The cell lies to the left of all its rings.
@@ -73,7 +70,7 @@ def arrange(lines: Iterable, frame: Frame) -> Arrangement:
     return _paired(cells, np.hstack([np.concatenate(starts), np.concatenate(stops)]), np.concatenate(owner))
 
 
-def _paired(cells: list, edges: np.ndarray, owner: np.ndarray) -> Arrangement:
+def _paired(cells: tuple[Polygon, ...], edges: np.ndarray, owner: np.ndarray) -> Arrangement:
     """Join the two edges of two cells that run the same way in opposite directions."""
     forward = (edges[:, 0] < edges[:, 2]) | ((edges[:, 0] == edges[:, 2]) & (edges[:, 1] < edges[:, 3]))
     ends = np.where(forward[:, None], edges, edges[:, [2, 3, 0, 1]])
@@ -83,8 +80,8 @@ def _paired(cells: list, edges: np.ndarray, owner: np.ndarray) -> Arrangement:
     return Arrangement(cells, ends, sides)
 
 
-def sheet_lines(sheets: Iterable, settings: CutSettings) -> list:
-    """Return the sheets as lines that go on beyond their ends, short ones less far."""
+def sheet_lines(sheets: Iterable[Sheet], settings: CutSettings) -> list[LineString]:
+    """Return the sheets as lines that extend beyond their ends, short ones less far."""
     lines = []
     for sheet in sheets:
         beyond = min(settings.extension_m, settings.extension_lengths * sheet.length) * sheet.direction
@@ -92,14 +89,14 @@ def sheet_lines(sheets: Iterable, settings: CutSettings) -> list:
     return lines
 
 
-def footprint_lines(footprint: Footprint, settings: CutSettings) -> list:
+def footprint_lines(footprint: Footprint, settings: CutSettings) -> list[LineString]:
     """Return the outline of what was seen, straightened."""
     frame = footprint.frame
     unknown = np.isnan(footprint.weight)
     nearest = ndimage.distance_transform_edt(unknown, return_distances=False, return_indices=True)
-    seen = footprint.weight[tuple(nearest)] >= 0.5
+    seen = footprint.weight[tuple(nearest)] >= settings.outline_weight
     seen = ndimage.binary_opening(seen)
-    lines = []
+    lines: list[LineString] = []
     for geometry, _ in shapes(seen.astype(np.uint8), mask=seen, connectivity=4):
         outline = affine_transform(
             shape(geometry), [frame.pixel_m, 0, 0, frame.pixel_m, frame.left, frame.bottom]
@@ -128,13 +125,13 @@ class Tracks:
     beside: np.ndarray
 
 
-def find_tracks(ends: np.ndarray, sheets: list, reach: float) -> Tracks:
+def find_tracks(ends: np.ndarray, sheets: Sequence[Sheet], reach: float) -> Tracks:
     """Find the sheets that borders, shape (n, 4), lie on or within the reach of, metres."""
     count = len(ends)
     sheet, within, beside = np.full(count, -1), np.zeros(count, bool), np.zeros(count, bool)
     middle = (ends[:, :2] + ends[:, 2:]) / 2
     for number, one in sorted(enumerate(sheets), key=lambda pair: -pair[1].levels * pair[1].length):
-        first, last, centre = (_away(place, one) for place in (ends[:, :2], ends[:, 2:], middle))
+        first, last, centre = (_away(xy, one) for xy in (ends[:, :2], ends[:, 2:], middle))
         on_line = (np.abs(first[1]) < ON_LINE) & (np.abs(last[1]) < ON_LINE)
         inside = on_line & (centre[0] > 0) & (centre[0] < one.length)
         near = (np.abs(centre[1]) < reach) & (centre[0] > -reach) & (centre[0] < one.length + reach)
@@ -144,22 +141,24 @@ def find_tracks(ends: np.ndarray, sheets: list, reach: float) -> Tracks:
     return Tracks(sheet, within, beside & (sheet < 0))
 
 
-def _away(places: np.ndarray, sheet: Sheet) -> tuple:
-    """Return how far places lie along and across a sheet from its start, metres."""
-    away = places - sheet.start
+def _away(xy: np.ndarray, sheet: Sheet) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far positions lie along and across a sheet from its start, metres."""
+    away = xy - sheet.start
     return away @ sheet.direction, away @ sheet.normal
 
 
-def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple:
+def seen_and_unseen(
+    arrangement: Arrangement, footprint: Footprint, settings: CutSettings = CutSettings()
+) -> tuple[np.ndarray, np.ndarray]:
     """Return how much of each cell was seen and was not seen as room, m2; shape (cells,) each."""
     frame, fine = footprint.frame, 2
     shape_ = tuple(fine * count for count in frame.shape)
     pixel = frame.pixel_m / fine
-    transform = (pixel, 0.0, frame.left, 0.0, pixel, frame.bottom)
+    transform = Affine(pixel, 0.0, frame.left, 0.0, pixel, frame.bottom)
     label = rasterize(
         ((cell, number) for number, cell in enumerate(arrangement.cells, start=1)),
         shape_,
-        transform=_affine(transform),
+        transform=transform,
         dtype="int32",
     )
     weight = footprint.weight.repeat(fine, axis=0).repeat(fine, axis=1)
@@ -170,12 +169,6 @@ def seen_and_unseen(arrangement: Arrangement, footprint: Footprint) -> tuple:
     seen = np.bincount(label[known], weight[known], count)[1:]
     area = np.array([cell.area for cell in arrangement.cells]) / np.maximum(total, 1)
     # The faces of a partition hide most of its core: all of it is as what is known.
-    core = (seen < CORE_SEEN * certain) & (certain > CORE_KNOWN * total)
+    core = (seen < settings.core_seen_share * certain) & (certain > settings.core_known_share * total)
     area[core] *= (total / np.maximum(certain, 1))[core]
     return seen * area, (certain - seen) * area
-
-
-def _affine(coefficients: tuple):
-    from affine import Affine
-
-    return Affine(*coefficients)

@@ -1,9 +1,12 @@
 """The division of a storey into rooms and solid."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from shapely.geometry.base import BaseGeometry
 
+from ...geometry.linked_parts import label_linked
 from .arrangement import (
     Arrangement,
     Tracks,
@@ -15,10 +18,10 @@ from .arrangement import (
 )
 from .evidence import UprightsAlong
 from .footprint import Footprint
-from .linking import label_linked
 from .minimum_cut import minimum_cut
 from .outlines import united
 from .settings import CutSettings, LevelSettings
+from .sheets import Sheet
 
 
 @dataclass(frozen=True)
@@ -50,24 +53,24 @@ class Division:
     tall: np.ndarray
     bodies: np.ndarray
 
-    def area(self, cells: np.ndarray):
+    def area(self, cells: np.ndarray) -> BaseGeometry:
         """Return the area of cells, given as numbers."""
         return united([self.arrangement.cells[cell] for cell in cells])
 
-    def rooms(self):
+    def rooms(self) -> BaseGeometry:
         """Return all rooms together."""
         return self.area(np.flatnonzero(self.is_room[:-1]))
 
-    def solid(self):
+    def solid(self) -> BaseGeometry:
         """Return all that is not room."""
         return self.area(np.flatnonzero(~self.is_room[:-1]))
 
     def are_borders(self) -> np.ndarray:
-        """Tell the borders between room and solid."""
+        """Return which borders lie between room and solid."""
         left, right = self.is_room[self.arrangement.sides].T
         return left != right
 
-    def faces(self, settings: CutSettings) -> tuple:
+    def faces(self, settings: CutSettings) -> tuple[np.ndarray, np.ndarray]:
         """Return the borders that are faces of walls, the solid to the left, and their numbers."""
         chosen = np.flatnonzero(self.are_borders() & self.has_face(settings))
         ends = self.arrangement.ends[chosen]
@@ -75,7 +78,7 @@ class Division:
         return np.where(room_left[:, None], ends[:, [2, 3, 0, 1]], ends), chosen
 
     def has_face(self, settings: CutSettings) -> np.ndarray:
-        """Tell the borders along which upright surface stands, and rises above the cut."""
+        """Return which borders have upright surface along them that rises above the cut."""
         on_sheet = self.tracks.sheet >= 0
         fewest = np.where(on_sheet, settings.fewest_levels, settings.off_sheet_levels)
         stands = (self.tracks.within | (self.levels >= fewest)) & (self.above >= settings.cut_levels)
@@ -84,7 +87,7 @@ class Division:
 
 
 def divide(
-    sheets: list,
+    sheets: Sequence[Sheet],
     footprint: Footprint,
     uprights: UprightsAlong,
     settings: CutSettings = CutSettings(),
@@ -93,7 +96,7 @@ def divide(
     """Divide a storey into rooms and solid by the cheapest cut."""
     lines = sheet_lines(sheets, settings) + footprint_lines(footprint, settings)
     arrangement = arrange(lines, footprint.frame)
-    seen, unseen = seen_and_unseen(arrangement, footprint)
+    seen, unseen = seen_and_unseen(arrangement, footprint, settings)
     tracks = find_tracks(arrangement.ends, sheets, settings.beside_outline_m)
     count = uprights.mean_levels(arrangement.ends)
     above, tall = (
@@ -114,7 +117,7 @@ def divide(
     return _filled(division, settings)
 
 
-def _usual_levels(sheets: list) -> float:
+def _usual_levels(sheets: Sequence[Sheet]) -> float:
     """Return the number of levels that half of the sheets, by area, fill at least."""
     levels = np.array([sheet.levels for sheet in sheets])
     area = np.array([sheet.levels * sheet.length for sheet in sheets])
@@ -129,7 +132,8 @@ def _filled(division: Division, settings: CutSettings) -> Division:
     sides, count = division.arrangement.sides, len(division.is_room)
     solid = ~division.is_room
     linked = solid[sides].all(axis=1)
-    part = label_linked(*sides[linked].T % count, count)
+    first, second = sides[linked].T % count
+    part = label_linked(first, second, count)
     rim = division.are_borders()
     owner = part[np.where(solid[sides[rim, 0]], sides[rim, 0], sides[rim, 1])]
     length = division.arrangement.lengths[rim]

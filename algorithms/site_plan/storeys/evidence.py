@@ -32,7 +32,7 @@ class UprightsAlong:
         self.levels = uprights.levels
         self.beside, self.step, self.reach, self.least = beside, step, reach, np.cos(np.radians(turn_deg))
 
-    def stations(self, ends: np.ndarray) -> tuple:
+    def stations(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the levels at stations along lines.
 
         Parameters
@@ -66,21 +66,35 @@ class UprightsAlong:
 
 
 @njit(nogil=True, cache=True)
-def _look(number, pixel, xy, normal, levels, places, along, half, beside, least):
-    """Gather the levels of the pixels around each place."""
-    bits = np.zeros(len(places), np.uint64)
+def _look(
+    number: np.ndarray,
+    pixel: float,
+    xy: np.ndarray,
+    normal: np.ndarray,
+    levels: np.ndarray,
+    stations: np.ndarray,
+    along: np.ndarray,
+    half: np.ndarray,
+    beside: float,
+    least: float,
+) -> np.ndarray:
+    """Gather the levels of the pixels around each station."""
+    bits = np.zeros(len(stations), np.uint64)
     rows, columns = number.shape
-    for k in range(len(places)):
+    for k in range(len(stations)):
         dx, dy = along[k]
         reach = max(half[k], beside)
-        low_row, high_row = int((places[k, 1] - reach) // pixel), int((places[k, 1] + reach) // pixel)
-        low_column, high_column = int((places[k, 0] - reach) // pixel), int((places[k, 0] + reach) // pixel)
+        low_row, high_row = int((stations[k, 1] - reach) // pixel), int((stations[k, 1] + reach) // pixel)
+        low_column, high_column = (
+            int((stations[k, 0] - reach) // pixel),
+            int((stations[k, 0] + reach) // pixel),
+        )
         for row in range(max(low_row, 0), min(high_row + 1, rows)):
             for column in range(max(low_column, 0), min(high_column + 1, columns)):
                 i = number[row, column]
                 if i < 0:
                     continue
-                x, y = xy[i, 0] - places[k, 0], xy[i, 1] - places[k, 1]
+                x, y = xy[i, 0] - stations[k, 0], xy[i, 1] - stations[k, 1]
                 if abs(x * dy - y * dx) > beside or abs(x * dx + y * dy) > half[k]:
                     continue
                 if abs(normal[i, 0] * dy - normal[i, 1] * dx) >= least:

@@ -1,5 +1,6 @@
 """The footprint of a storey: where floor or ceiling was seen."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +8,7 @@ from scipy import ndimage
 
 from .levels import Frame, Storey, Uprights, count_levels
 from .settings import FootprintSettings, LevelSettings
+from .sheets import Sheet
 from .voxels import Voxels
 
 
@@ -34,7 +36,7 @@ def find_footprint(
     voxels: Voxels,
     storey: Storey,
     uprights: Uprights,
-    sheets: list,
+    sheets: Sequence[Sheet],
     frame: Frame,
     settings: FootprintSettings = FootprintSettings(),
     levels: LevelSettings = LevelSettings(),
@@ -67,7 +69,7 @@ def find_footprint(
 
 
 def _extreme(
-    function: np.ufunc, row: np.ndarray, column: np.ndarray, z: np.ndarray, shape: tuple
+    function: np.ufunc, row: np.ndarray, column: np.ndarray, z: np.ndarray, shape: tuple[int, int]
 ) -> np.ndarray:
     heights = np.full(shape, np.nan, np.float32)
     function.at(heights, (row, column), z.astype(np.float32))
@@ -75,18 +77,18 @@ def _extreme(
 
 
 def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:
-    """Tell the pixels with so many levels of upright surface."""
-    place = frame.places(uprights.xy)
+    """Return which pixels hold so many levels of upright surface."""
+    pixels = frame.places(uprights.xy)
     bits = np.zeros(frame.shape, np.uint64)
-    np.bitwise_or.at(bits, place, uprights.levels)
+    np.bitwise_or.at(bits, pixels, uprights.levels)
     many = np.zeros(frame.shape, bool)
     held = bits > 0
     many[held] = count_levels(bits[held]) >= fewest
     return many
 
 
-def _drawn(sheets: list, frame: Frame, extension: float) -> np.ndarray:
-    """Tell the pixels that sheets lie on, and would lie on if they were longer."""
+def _drawn(sheets: Sequence[Sheet], frame: Frame, extension: float) -> np.ndarray:
+    """Return which pixels sheets lie on, or would lie on if they were longer."""
     drawn = np.zeros(frame.shape, bool)
     for sheet in sheets:
         count = int(3 * (sheet.length + 2 * extension) / frame.pixel_m) + 2

@@ -1,23 +1,23 @@
 """Faces that bound no room: facades, and walls beyond what was seen of floor and ceiling."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import count_levels
 from .outlines import parts_of, united
 from .settings import FreeFaceSettings, LevelSettings
-
-PARALLEL = 0.98
-"""Cosine of the largest angle between the two faces of a wall."""
+from .sheets import Sheet
 
 
 def free_faces(
-    sheets: list,
-    rooms,
+    sheets: Sequence[Sheet],
+    rooms: BaseGeometry,
     faces: np.ndarray,
     uprights: UprightsAlong,
     footprint: Footprint,
@@ -28,7 +28,7 @@ def free_faces(
 
     Parameters
     ----------
-    sheets : list of Sheet
+    sheets : sequence of Sheet
     rooms : Polygon or MultiPolygon
     faces : ndarray of float64, shape (n, 4)
         Faces that bound rooms; the solid lies to the left.
@@ -52,12 +52,12 @@ def free_faces(
         for part in parts_of(outside):
             if part.length >= settings.run_m:
                 found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
-    return np.array([_turned(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
+    return np.array([_solid_left(run, faces, footprint, settings) for run in found]).reshape(-1, 4)
 
 
 def screens(
-    sheets: list,
-    rooms,
+    sheets: Sequence[Sheet],
+    rooms: BaseGeometry,
     faces: np.ndarray,
     uprights: UprightsAlong,
     settings: FreeFaceSettings = FreeFaceSettings(),
@@ -78,54 +78,58 @@ def screens(
             if part.length >= settings.screen_m:
                 ends = np.asarray(part.coords)
                 runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
-                found += [run for run in runs if not _has_wall_behind(run, faces, settings.furniture_m)]
+                found += [run for run in runs if not _has_wall_behind(run, faces, settings)]
     found = np.array(found).reshape(-1, 4)
     tall = uprights.mean_levels(found, -1 << round(settings.head_m / levels.level_m))
     return found[tall >= settings.head_levels]
 
 
-def _has_wall_behind(run: np.ndarray, faces: np.ndarray, reach: float) -> bool:
-    """Tell whether a face of a wall runs within the reach of a line, along it."""
+def _has_wall_behind(run: np.ndarray, faces: np.ndarray, settings: FreeFaceSettings) -> bool:
+    """Return whether a face of a wall runs along a line, as near as furniture is deep."""
     along = (run[2:] - run[:2]) / np.hypot(*(run[2:] - run[:2]))
     beside = _overlaps(run, faces, along)
-    return bool(((beside.cosine > PARALLEL) & (beside.overlap > 0.2) & (np.abs(beside.across) < reach)).any())
+    along_it = (beside.cosine > settings.parallel_cosine) & (beside.overlap > settings.shortest_overlap_m)
+    return bool((along_it & (np.abs(beside.across) < settings.furniture_m)).any())
 
 
-def _full_runs(ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float) -> list:
+def _full_runs(
+    ends: np.ndarray, uprights: UprightsAlong, mask: int, fewest: float, shortest: float
+) -> list[np.ndarray]:
     """Return the parts of a line on which enough levels are filled; each x, y, x, y."""
     bits, _ = uprights.stations(np.r_[ends[0], ends[-1]][None])
     full = count_levels(bits & np.uint64(mask)) >= fewest
     edges = np.flatnonzero(np.diff(np.r_[False, full, False].astype(int)))
     share = edges.reshape(-1, 2) / len(full)
     length = np.hypot(*(ends[-1] - ends[0]))
-    places = ends[0] + share[..., None] * (ends[-1] - ends[0])
-    return [place.ravel() for place, (low, high) in zip(places, share) if (high - low) * length >= shortest]
+    runs = ends[0] + share[..., None] * (ends[-1] - ends[0])
+    return [run.ravel() for run, (low, high) in zip(runs, share) if (high - low) * length >= shortest]
 
 
-def _turned(
+def _solid_left(
     run: np.ndarray, faces: np.ndarray, footprint: Footprint, settings: FreeFaceSettings
 ) -> np.ndarray:
-    """Turn a face so that the solid lies to the left."""
+    """Return a face with its ends in the order in which the solid lies to the left."""
     start, stop = run[:2], run[2:]
     along = (stop - start) / np.hypot(*(stop - start))
     left = np.array([-along[1], along[0]])
-    opposite = _opposite(run, faces, along, settings.thickest_m)
+    opposite = _opposite(run, faces, along, settings)
     if opposite:
         return run if opposite > 0 else run[[2, 3, 0, 1]]
-    places = np.linspace(start, stop, 10)
+    stations = np.linspace(start, stop, 10)
     depths = np.linspace(0.2 * settings.front_m, settings.front_m, 6)
     sides = [
-        _seen(footprint, np.concatenate([places + sign * depth * left for depth in depths]))
+        _seen(footprint, np.concatenate([stations + sign * depth * left for depth in depths]))
         for sign in (1, -1)
     ]
     return run if sides[0] <= sides[1] else run[[2, 3, 0, 1]]
 
 
-def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, thickest: float) -> float:
+def _opposite(run: np.ndarray, faces: np.ndarray, along: np.ndarray, settings: FreeFaceSettings) -> float:
     """Return how far faces of rooms turn their solid to this one: positive from the left, else negative."""
     beside = _overlaps(run, faces, along)
     # The solid lies to the left of a face: one on the left turns it here if it runs the other way.
-    facing = (beside.cosine > PARALLEL) & (beside.overlap > 0) & (np.abs(beside.across) < thickest)
+    facing = (beside.cosine > settings.parallel_cosine) & (beside.overlap > 0)
+    facing &= np.abs(beside.across) < settings.thickest_m
     facing &= beside.way * beside.across < 0
     return float((np.sign(beside.across) * beside.overlap)[facing].sum())
 
@@ -144,19 +148,19 @@ def _overlaps(run: np.ndarray, faces: np.ndarray, along: np.ndarray) -> _Beside:
     direction = faces[:, 2:] - faces[:, :2]
     way = direction @ along / np.maximum(np.hypot(*direction.T), 1e-9)
     ends = np.stack([faces[:, :2], faces[:, 2:]], axis=1) - run[:2]
-    place, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
-    overlap = np.minimum(place[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(place[:, 0], 0)
+    extent, across = np.sort(ends @ along, axis=1), (ends @ np.array([-along[1], along[0]])).mean(axis=1)
+    overlap = np.minimum(extent[:, 1], np.hypot(*(run[2:] - run[:2]))) - np.maximum(extent[:, 0], 0)
     return _Beside(np.abs(way), way, across, overlap)
 
 
-def _seen(footprint: Footprint, places: np.ndarray) -> float:
-    row, column = footprint.frame.places(places)
+def _seen(footprint: Footprint, xy: np.ndarray) -> float:
+    row, column = footprint.frame.places(xy)
     rows, columns = footprint.weight.shape
     inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
     return float(np.nansum(footprint.weight[row[inside], column[inside]]))
 
 
-def clear_before(faces: np.ndarray, depth: float):
+def clear_before(faces: np.ndarray, depth: float) -> BaseGeometry:
     """Return the area right before faces, which is no wall."""
     boxes = []
     for x0, y0, x1, y1 in faces:

@@ -125,7 +125,7 @@ def join_rooms(found: Sequence[Room], storey: StoreyPlan, settings: JoiningSetti
 
 
 def bodies(walls: Sequence[Wall]) -> list[tuple[int, Polygon]]:
-    """Return the walls that hang together as one outline each, with the number of the first of them."""
+    """Return one outline for each body of connected walls, with the number of the first wall in it."""
     groups: dict[int, list[Wall]] = {}
     for wall in walls:
         groups.setdefault(-wall.wall_id if not wall.body else wall.body, []).append(wall)

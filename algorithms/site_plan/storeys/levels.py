@@ -10,12 +10,6 @@ from ...errors import InputError
 from .settings import LevelSettings
 from .voxels import Voxels
 
-LAYER = 0.05
-"""Height of the layers that floor and ceiling are looked for in, metres."""
-
-MAX_PIXELS = 200_000_000
-"""Largest frame: a square of 280 m with pixels of 2 cm."""
-
 LEVELS = 64
 """Number of levels that a pixel can note."""
 
@@ -36,9 +30,9 @@ class Frame:
     left: float
     bottom: float
     pixel_m: float
-    shape: tuple
+    shape: tuple[int, int]
 
-    def places(self, xy: np.ndarray) -> tuple:
+    def places(self, xy: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return row and column of positions, shape (n, 2)."""
         column = np.floor((xy[:, 0] - self.left) / self.pixel_m).astype(np.int64)
         row = np.floor((xy[:, 1] - self.bottom) / self.pixel_m).astype(np.int64)
@@ -94,13 +88,14 @@ def find_storey(voxels: Voxels, settings: LevelSettings = LevelSettings()) -> Op
     z = voxels.xyz[np.abs(voxels.normal[:, 2]) > settings.flat, 2]
     if not len(z):
         return None
-    first = np.floor(z.min() / LAYER)
-    counts = np.bincount((np.floor(z / LAYER) - first).astype(int))
+    layer = settings.layer_m
+    first = np.floor(z.min() / layer)
+    counts = np.bincount((np.floor(z / layer) - first).astype(int))
     pairs = counts + np.r_[counts[1:], 0]
     large = np.flatnonzero(pairs > settings.storey_share * pairs.max())
-    floor = (first + large[0] + 1) * LAYER
-    floor = float(np.median(z[np.abs(z - floor) <= LAYER]))
-    above = (first + large) * LAYER
+    floor = (first + large[0] + 1) * layer
+    floor = float(np.median(z[np.abs(z - floor) <= layer]))
+    above = (first + large) * layer
     above = above[above > floor + settings.lowest_storey_m]
     return Storey(floor, float(above[0]) if len(above) else None)
 
@@ -126,7 +121,7 @@ def find_uprights(
 
 
 @njit(nogil=True, cache=True)
-def _by_pixel(values, level, starts):
+def _by_pixel(values: np.ndarray, level: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean values of each pixel and its levels."""
     count = len(starts) - 1
     sums = np.zeros((count, values.shape[1]))
@@ -145,18 +140,20 @@ def count_levels(bits: np.ndarray) -> np.ndarray:
     return np.unpackbits(parts, axis=-1).sum(axis=-1)
 
 
-def frame_around(voxels: Voxels, pixel: float, margin: float) -> Frame:
+def frame_around(
+    voxels: Voxels, pixel: float, margin: float, settings: LevelSettings = LevelSettings()
+) -> Frame:
     """Return a frame that holds all voxels and a margin, metres.
 
     Raises
     ------
     InputError
-        If it would hold more than `MAX_PIXELS` pixels.
+        If it would hold more than `largest_frame_px` pixels.
     """
     low = np.floor((voxels.xyz[:, :2].min(axis=0) - margin) / pixel)
     high = np.ceil((voxels.xyz[:, :2].max(axis=0) + margin) / pixel)
     columns, rows = (high - low).astype(int).tolist()
-    if columns * rows > MAX_PIXELS:
+    if columns * rows > settings.largest_frame_px:
         width, height = columns * pixel, rows * pixel
         raise InputError(
             f"The storey would be {width:.0f} x {height:.0f} m, too large for a plan of rooms: cut the "

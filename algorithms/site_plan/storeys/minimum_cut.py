@@ -34,7 +34,7 @@ def minimum_cut(first: np.ndarray, second: np.ndarray, pairs: np.ndarray, betwee
     stop = np.concatenate([pairs[:, 1], pairs[:, 0], cells, np.full(count, sink)])
     cost = np.concatenate([between, between, second, first])
     capacity = np.minimum(np.rint(cost * SCALE), MOST).astype(np.int32)
-    # Entries of the same place are added up.
+    # Entries of the same row and column are added up.
     network = csr_matrix((capacity, (start, stop)), shape=(count + 2, count + 2))
     network.data = np.minimum(network.data, MOST)
     flow = maximum_flow(network, source, sink)

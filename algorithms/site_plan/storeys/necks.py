@@ -1,27 +1,26 @@
-"""Narrow places of a space, which are doors though no lintel was seen."""
+"""Necks of a space, which are doors although no lintel was seen."""
 
 import numpy as np
-from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry import LinearRing, LineString, Point, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 from shapely.ops import split
 from shapely.prepared import prep
 
-from .outlines import parts_of, united
+from ...geometry.polygons import polygons_of
+from .outlines import united
 from .settings import RoomSettings
 from .spaces import inner_width
 
 OVER = 1e-4
-"""A chord goes on over both its ends by so much, metres, to cut."""
+"""A chord extends beyond both its ends by so much, metres, so that it cuts."""
 
 TOUCHING = 1e-6
 """Areas nearer than this touch, metres."""
 
-NARROWEST = 0.05
-"""What is opposite of a corner is farther than this, metres."""
 
-
-def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> list:
-    """Cut a space at narrow places that are doors without a lintel; return its parts."""
+def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> list[Polygon]:
+    """Cut a space at its necks, which are doors without a lintel; return its parts."""
     half = settings.neck_m / 2
     cores = outline.buffer(-half)
     if cores.geom_type != "MultiPolygon":
@@ -29,10 +28,10 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
     wide = [core.buffer(1.01 * half) for core in cores.geoms]
     throats = [
         throat
-        for throat in parts_of(outline.difference(united(wide)))
+        for throat in polygons_of(outline.difference(united(wide)))
         if sum(throat.distance(core) < TOUCHING for core in wide) > 1
     ]
-    for chord in _narrow_chords(outline, united(throats).buffer(0.3), settings.neck_m):
+    for chord in _narrow_chords(outline, united(throats).buffer(settings.throat_m), settings):
         parts = [part for part in split(outline, chord).geoms if part.area > 1e-4]
         if len(parts) != 2:
             continue
@@ -42,24 +41,25 @@ def cut_at_necks(outline: Polygon, settings: RoomSettings = RoomSettings()) -> l
     return [outline]
 
 
-def _narrow_chords(outline: Polygon, near, widest: float) -> list:
+def _narrow_chords(outline: Polygon, near: BaseGeometry, settings: RoomSettings) -> list[LineString]:
     """Return the chords from corners that jut into a space to what is opposite, the shortest first."""
     sides = np.concatenate([_sides(ring) for ring in (outline.exterior, *outline.interiors)])
     starts, along = sides[:, :2], sides[:, 2:] - sides[:, :2]
-    within, near = prep(outline.buffer(2 * OVER)), prep(near)
-    chords = []
+    within, is_near = prep(outline.buffer(2 * OVER)), prep(near)
+    chords: list[LineString] = []
     for corner in _jutting(outline):
-        if not near.contains(Point(corner)):
+        if not is_near.contains(Point(corner)):
             continue
         share = ((corner - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12)
         opposite = starts + np.clip(share, 0, 1)[:, None] * along
         distance = np.hypot(*(opposite - corner).T)
-        found = [_over(corner, place) for place in opposite[(distance <= widest) & (distance > NARROWEST)]]
+        chosen = opposite[(distance <= settings.neck_m) & (distance > settings.shortest_chord_m)]
+        found = [_over(corner, end) for end in chosen]
         chords += [chord for chord in found if within.contains(chord)]
     return sorted(chords, key=lambda chord: chord.length)
 
 
-def _sides(ring) -> np.ndarray:
+def _sides(ring: LinearRing) -> np.ndarray:
     corners = np.asarray(ring.coords)
     return np.hstack([corners[:-1], corners[1:]])
 

@@ -1,17 +1,15 @@
-"""Openings: doors, windows and passages, where the line of a wall goes on over or under open space."""
+"""Openings: doors, windows and passages, where the line of a wall continues above or below open space."""
 
 from dataclasses import dataclass
 
 import numpy as np
+from shapely.geometry.base import BaseGeometry
 
+from ...geometry.linked_parts import label_linked
 from .division import Division
 from .evidence import UprightsAlong
-from .linking import label_linked
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
-
-LARGE = 10
-"""A space so many times as large as the smallest room is wide enough."""
 
 
 @dataclass(frozen=True)
@@ -20,13 +18,13 @@ class Parts:
 
     Attributes
     ----------
-    outlines : list of Polygon
-    over_sill : list of bool
+    outlines : tuple of Polygon or MultiPolygon
+    over_sill : tuple of bool
         Whether a part is cut off by the face of a parapet.
     """
 
-    outlines: list
-    over_sill: list
+    outlines: tuple[BaseGeometry, ...]
+    over_sill: tuple[bool, ...]
 
 
 @dataclass(frozen=True)
@@ -43,7 +41,7 @@ class _Openings:
 
     open: np.ndarray
     over_sill: np.ndarray
-    shut: list
+    shut: list[np.ndarray]
 
 
 def cut_at_openings(
@@ -59,10 +57,15 @@ def cut_at_openings(
         division, np.flatnonzero(inside & (division.tracks.sheet >= 0)), uprights, settings, levels
     )
     linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
-    part = label_linked(*sides[linked].T, len(room))
+    part = _linked(sides[linked], len(room))
     numbers = np.unique(part[room])
-    outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
-    return Parts(outlines, np.isin(numbers, part[sides[found.over_sill]]).tolist())
+    outlines = tuple(division.area(np.flatnonzero((part == number) & room)) for number in numbers)
+    return Parts(outlines, tuple(np.isin(numbers, part[sides[found.over_sill]]).tolist()))
+
+
+def _linked(sides: np.ndarray, count: int) -> np.ndarray:
+    first, second = sides.T
+    return label_linked(first, second, count)
 
 
 def _openings(
@@ -97,7 +100,7 @@ def _openings(
 
 
 def _cut_at_shut_doors(
-    division: Division, linked: np.ndarray, shut: list, settings: RoomSettings
+    division: Division, linked: np.ndarray, shut: list[np.ndarray], settings: RoomSettings
 ) -> np.ndarray:
     """Return which borders link cells, less the shut openings between two rooms: the others are furniture."""
     sides, room = division.arrangement.sides, division.is_room
@@ -108,7 +111,7 @@ def _cut_at_shut_doors(
         if not len(own):
             continue
         linked[own] = False
-        part = label_linked(*sides[linked].T, len(room))
+        part = _linked(sides[linked], len(room))
         beside = {part[side] for side in sides[own[0]]}
         cells = [np.flatnonzero((part == number) & room) for number in beside]
         if len(cells) < 2 or not all(_are_room(division, own, areas, settings) for own in cells):
@@ -117,30 +120,30 @@ def _cut_at_shut_doors(
 
 
 def _are_room(division: Division, cells: np.ndarray, areas: np.ndarray, settings: RoomSettings) -> bool:
-    """Tell whether cells make a room; large ones do."""
+    """Return whether cells together are a room; large ones are."""
     total = areas[cells].sum()
     if total < settings.smallest_m2:
         return False
-    return total > LARGE * settings.smallest_m2 or is_room(division.area(cells), settings)
+    return total > settings.surely_wide * settings.smallest_m2 or is_room(division.area(cells), settings)
 
 
-def _nodes(ends: np.ndarray) -> set:
-    return set(map(tuple, ends.reshape(-1, 2).tolist()))
+def _nodes(ends: np.ndarray) -> set[tuple[float, float]]:
+    return {(x, y) for x, y in ends.reshape(-1, 2).tolist()}
 
 
-def _runs(ends: np.ndarray, rim: set) -> list:
-    """Return the numbers of borders that hang together on one line between places on the rim."""
-    places = {}
+def _runs(ends: np.ndarray, rim: set[tuple[float, float]]) -> list[np.ndarray]:
+    """Return the numbers of the borders that are connected on one line between nodes on the rim."""
+    at_node: dict[tuple[float, float], list[int]] = {}
     first, second = [], []
     for number, (x0, y0, x1, y1) in enumerate(ends.tolist()):
-        for place in ((x0, y0), (x1, y1)):
-            if place in rim:
+        for node in ((x0, y0), (x1, y1)):
+            if node in rim:
                 continue
-            for other in places.setdefault(place, []):
+            for other in at_node.setdefault(node, []):
                 if _are_in_line(ends[number], ends[other]):
                     first.append(number)
                     second.append(other)
-            places[place].append(number)
+            at_node[node].append(number)
     label = label_linked(np.array(first, int), np.array(second, int), len(ends))
     return [np.flatnonzero(label == number) for number in np.unique(label)]
 
@@ -150,8 +153,8 @@ def _are_in_line(one: np.ndarray, other: np.ndarray) -> bool:
     return abs(a[0] * b[1] - a[1] * b[0]) <= 0.01 * np.hypot(*a) * np.hypot(*b)
 
 
-def _tips(ends: np.ndarray) -> tuple:
+def _tips(ends: np.ndarray) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return the two ends of borders in one line."""
-    places = ends.reshape(-1, 2)
-    along = places @ (ends[0, 2:] - ends[0, :2])
-    return tuple(places[np.argmin(along)].tolist()), tuple(places[np.argmax(along)].tolist())
+    nodes = ends.reshape(-1, 2)
+    along = nodes @ (ends[0, 2:] - ends[0, :2])
+    return tuple(nodes[np.argmin(along)].tolist()), tuple(nodes[np.argmax(along)].tolist())

@@ -3,20 +3,22 @@
 from collections.abc import Iterable
 
 import numpy as np
-from shapely.geometry import Polygon
+from shapely.geometry import LinearRing, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
+from ...geometry.polygons import polygons_of
 from .settings import WallSettings
 
 
-def parts_of(geometry) -> list:
+def parts_of(geometry: BaseGeometry) -> list[BaseGeometry]:
     """Return the parts of a geometry that are not empty."""
     return [part for part in getattr(geometry, "geoms", [geometry]) if not part.is_empty]
 
 
-def united(geometries: Iterable):
+def united(geometries: Iterable[BaseGeometry]) -> BaseGeometry:
     """Return the union of the areas of geometries; lines and points in them are dropped."""
-    polygons = [part for geometry in geometries for part in parts_of(geometry) if part.geom_type == "Polygon"]
+    polygons = [part for geometry in geometries for part in polygons_of(geometry)]
     # An older shapely crashes on collections in a union.
     return unary_union(polygons) if polygons else Polygon()
 
@@ -31,7 +33,7 @@ def tidy(outline: Polygon, settings: WallSettings = WallSettings()) -> Polygon:
     return found if found.is_valid else outline
 
 
-def _tidied(ring, settings: WallSettings) -> np.ndarray:
+def _tidied(ring: LinearRing, settings: WallSettings) -> np.ndarray:
     """Return the corners of a ring, the worst dropped one after the other."""
     corners = np.asarray(ring.coords)[:-1, :2]
     while len(corners) > 3:

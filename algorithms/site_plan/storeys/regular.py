@@ -1,5 +1,6 @@
 """Sheets on common lines, and short ones square to their long neighbours."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -8,15 +9,15 @@ from .settings import SheetSettings
 from .sheets import Sheet
 
 
-def square_up(sheets: list, settings: SheetSettings = SheetSettings()) -> list:
-    """Turn short sheets square to the nearest long one, where their own direction is no surer than that."""
+def square_up(sheets: Sequence[Sheet], settings: SheetSettings = SheetSettings()) -> list[Sheet]:
+    """Rotate short sheets square to a long one nearby, if their own direction allows it."""
     long = [sheet for sheet in sheets if sheet.length >= settings.long_m]
     if not long:
-        return sheets
+        return list(sheets)
     return [sheet if sheet.length >= settings.long_m else _squared(sheet, long, settings) for sheet in sheets]
 
 
-def _squared(sheet: Sheet, long: list, settings: SheetSettings) -> Sheet:
+def _squared(sheet: Sheet, long: list[Sheet], settings: SheetSettings) -> Sheet:
     middle = (sheet.start + sheet.stop) / 2
     near = min(long, key=lambda other: _distance(other, middle))
     if _distance(near, middle) > settings.square_within_m:
@@ -29,13 +30,13 @@ def _squared(sheet: Sheet, long: list, settings: SheetSettings) -> Sheet:
     return replace(sheet, start=middle - half, stop=middle + half)
 
 
-def _distance(sheet: Sheet, place: np.ndarray) -> float:
-    """Return the distance of a place from a sheet, metres."""
-    way = np.clip((place - sheet.start) @ sheet.direction, 0, sheet.length)
-    return float(np.hypot(*(place - sheet.start - way * sheet.direction)))
+def _distance(sheet: Sheet, xy: np.ndarray) -> float:
+    """Return the distance of a position from a sheet, metres."""
+    way = np.clip((xy - sheet.start) @ sheet.direction, 0, sheet.length)
+    return float(np.hypot(*(xy - sheet.start - way * sheet.direction)))
 
 
-def share_lines(sheets: list, settings: SheetSettings = SheetSettings()) -> list:
+def share_lines(sheets: Sequence[Sheet], settings: SheetSettings = SheetSettings()) -> list[Sheet]:
     """Move sheets that lie on one line, though apart, onto it."""
     sheets = sorted(sheets, key=lambda sheet: -sheet.length)
     group = list(range(len(sheets)))
@@ -56,7 +57,7 @@ def share_lines(sheets: list, settings: SheetSettings = SheetSettings()) -> list
 class _Shared:
     """The common line of some sheets."""
 
-    def __init__(self, sheets: list) -> None:
+    def __init__(self, sheets: list[Sheet]) -> None:
         self.sheets = sheets
         ends = np.array([end for sheet in sheets for end in (sheet.start, sheet.stop)])
         weight = np.repeat([sheet.length * sheet.levels for sheet in sheets], 2)
@@ -74,14 +75,15 @@ class _Shared:
         return min(gaps)
 
     def accepts(self, sheet: Sheet, offset: float) -> bool:
-        """Tell whether all sheets stay on the line when one more is added."""
+        """Return whether all sheets remain on the line if one more is added."""
         together = _Shared([*self.sheets, sheet])
         return all(
             together.distance(end) <= offset for one in together.sheets for end in (one.start, one.stop)
         )
 
-    def distance(self, place: np.ndarray) -> float:
-        x, y = place - self.middle
+    def distance(self, xy: np.ndarray) -> float:
+        """Return the distance of a position from the line, metres."""
+        x, y = xy - self.middle
         return abs(x * self.direction[1] - y * self.direction[0])
 
     def project(self, sheet: Sheet) -> Sheet:

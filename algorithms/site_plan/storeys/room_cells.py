@@ -8,13 +8,14 @@ from affine import Affine
 from rasterio.features import rasterize
 from shapely.geometry import Polygon
 
+from ...geometry.polygons import polygons_of
 from .division import Division
 from .evidence import UprightsAlong
 from .footprint import Footprint
 from .levels import Storey
 from .necks import cut_at_necks
 from .openings import cut_at_openings
-from .outlines import parts_of, tidy
+from .outlines import tidy
 from .settings import LevelSettings, RoomSettings
 from .spaces import is_room
 
@@ -46,7 +47,7 @@ def find_rooms(
     uprights: UprightsAlong,
     settings: RoomSettings = RoomSettings(),
     levels: LevelSettings = LevelSettings(),
-) -> tuple:
+) -> tuple[list[Room], list[Polygon]]:
     """Find the rooms, and the parapets in the niches of windows.
 
     Returns
@@ -56,18 +57,19 @@ def find_rooms(
     parapets : list of Polygon
     """
     parts = cut_at_openings(division, uprights, settings, levels)
-    rooms, parapets = [], []
+    rooms: list[Polygon] = []
+    parapets: list[Polygon] = []
     for part, over_sill in zip(parts.outlines, parts.over_sill):
-        for outline in parts_of(part):
+        for outline in polygons_of(part):
             if is_room(outline, settings):
                 rooms += [piece for piece in cut_at_necks(outline, settings) if is_room(piece, settings)]
             elif over_sill and _is_parapet(outline, footprint, storey, settings):
                 parapets.append(outline)
-    rooms = [_described(room, footprint) for room in sorted(rooms, key=lambda room: -room.area)]
-    return rooms, parapets
+    rooms.sort(key=lambda room: -room.area)
+    return [_described(room, footprint) for room in rooms], parapets
 
 
-def _pixels(outline: Polygon, footprint: Footprint) -> tuple:
+def _pixels(outline: Polygon, footprint: Footprint) -> tuple[np.ndarray, np.ndarray]:
     """Return the numbers of the pixels inside an outline."""
     frame = footprint.frame
     low, high = np.reshape(outline.bounds, (2, 2))
@@ -87,11 +89,11 @@ def _pixels(outline: Polygon, footprint: Footprint) -> tuple:
 
 
 def _described(outline: Polygon, footprint: Footprint) -> Room:
-    place = _pixels(outline, footprint)
-    weight = footprint.weight[place]
+    pixels = _pixels(outline, footprint)
+    weight = footprint.weight[pixels]
     known = weight[np.isfinite(weight)]
     seen = float((known > 0).mean()) if len(known) else 0.0
-    return Room(tidy(outline), _median(footprint.floor[place]), _median(footprint.ceiling[place]), seen)
+    return Room(tidy(outline), _median(footprint.floor[pixels]), _median(footprint.ceiling[pixels]), seen)
 
 
 def _median(values: np.ndarray) -> Optional[float]:
@@ -100,7 +102,7 @@ def _median(values: np.ndarray) -> Optional[float]:
 
 
 def _is_parapet(niche: Polygon, footprint: Footprint, storey: Storey, settings: RoomSettings) -> bool:
-    """Tell whether the floor of a niche is a sill."""
+    """Return whether the floor of a niche is a sill."""
     if niche.area < 0.01 or not niche.buffer(-settings.deepest_parapet_m / 2).is_empty:
         return False
     floor = footprint.floor[_pixels(niche, footprint)]

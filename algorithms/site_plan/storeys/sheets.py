@@ -1,24 +1,13 @@
 """Sheets: straight upright surfaces, found in the points wherever they stand."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from numba import njit
 
 from .levels import Uprights, count_levels
 from .settings import SheetSettings
-
-ROUNDS = 8
-"""Largest number of fits of one sheet while it grows."""
-
-FEWEST = 4
-"""Fewest pixels of a sheet."""
-
-TURNS = (-20, -12, -6, 0, 6, 12, 20)
-"""Directions that a sheet is begun in, degrees from what the normal of its first pixel says."""
-
-BEGIN = 0.3
-"""So far each way, in metres, a sheet is begun."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +48,7 @@ class Sheet:
 
 def find_sheets(
     uprights: Uprights, noise: float, spacing: float, settings: SheetSettings = SheetSettings()
-) -> list:
+) -> list[Sheet]:
     """Find the straight sheets, the fullest first.
 
     Parameters
@@ -76,7 +65,7 @@ def find_sheets(
     band = max(settings.band_m + settings.band_noises * noise, settings.band_spacings * spacing)
     band = min(band, settings.widest_band_m)
     gap = max(settings.gap_m, settings.gap_spacings * spacing)
-    growth = _Growth(uprights, band, gap, np.cos(np.radians(settings.turn_deg)))
+    growth = _Growth(uprights, band, gap, settings)
     step = max(2 * uprights.frame.pixel_m, spacing)
     found = []
     for seed in np.argsort(-growth.weight, kind="stable"):
@@ -84,20 +73,20 @@ def find_sheets(
             continue
         member, line = growth.grow(seed)
         growth.free[seed] = False
-        if len(member) < FEWEST:
+        if len(member) < settings.fewest_pixels:
             continue
         along = (uprights.xy[member] - line[:2]) @ line[2:]
         start, stop = along.min(), along.max()
         if stop - start < settings.shortest_m:
             continue
-        growth.strike(line, stop - start)
+        growth.strike(line)
         levels = _filled(along - start, stop - start, uprights.levels[member], step)
         if levels >= settings.fewest_levels:
             scatter = np.sqrt(
                 np.average(_across(uprights.xy[member], line) ** 2, weights=growth.weight[member])
             )
-            ends = (line[:2] + place * line[2:] for place in (start, stop))
-            found.append(Sheet(*ends, levels, float(scatter)))
+            first, last = (line[:2] + end * line[2:] for end in (start, stop))
+            found.append(Sheet(first, last, levels, float(scatter)))
     return found
 
 
@@ -108,56 +97,70 @@ def _across(xy: np.ndarray, line: np.ndarray) -> np.ndarray:
 class _Growth:
     """Pixels that sheets grow over, and those that are still free.
 
-    A line is x, y of a place on it and its direction; ndarray, shape (4,).
+    A line is x, y of a point on it and its direction; ndarray, shape (4,).
     """
 
-    def __init__(self, uprights: Uprights, band: float, gap: float, least: float) -> None:
+    def __init__(self, uprights: Uprights, band: float, gap: float, settings: SheetSettings) -> None:
         frame = uprights.frame
         self.xy = uprights.xy - (frame.left, frame.bottom)
         self.corner = np.array([frame.left, frame.bottom, 0.0, 0.0])
         self.normal = np.column_stack([np.cos(uprights.angle), np.sin(uprights.angle)])
         self.weight = count_levels(uprights.levels).astype(float)
-        self.pixel, self.band, self.gap, self.least = frame.pixel_m, band, gap, least
+        self.pixel, self.band, self.gap, self.settings = frame.pixel_m, band, gap, settings
+        self.least = np.cos(np.radians(settings.turn_deg))
         self.number = np.full(frame.shape, -1, np.int32)
         self.number[uprights.row, uprights.column] = np.arange(len(self.xy))
         self.free = np.ones(len(self.xy), bool)
         self.visited = np.zeros(len(self.xy), np.int64)
         self.walks = 0
 
-    def grow(self, seed: int) -> tuple:
+    def grow(self, seed: int) -> tuple[np.ndarray, np.ndarray]:
         """Grow a sheet from a pixel; return its pixels and its line."""
+        settings = self.settings
         line = self._turned(seed, 0.0)
-        member = self._walk(line, self.gap, BEGIN, 2 * self.band)
-        if len(member) < FEWEST:
+        member = self._walk(line, self.gap, settings.begin_m, settings.begin_bands * self.band)
+        if len(member) < settings.fewest_pixels:
             return member, line
         line = self._begun(seed)
         count = -1
-        for _ in range(ROUNDS):
+        for _ in range(settings.rounds):
             member = self._walk(line, self.gap, np.inf)
-            if len(member) < FEWEST or len(member) == count:
+            if len(member) < settings.fewest_pixels or len(member) == count:
                 break
             count = len(member)
-            line = _fitted(self.xy[member], self.weight[member], line, self.band)
+            line = self._fitted(member, line)
         return member, line + self.corner
 
-    def strike(self, line: np.ndarray, length: float) -> None:
+    def strike(self, line: np.ndarray) -> None:
         """Take the pixels of a sheet, and what lies close to them, out of those that are free."""
         line = line - self.corner
-        member = self._walk(line, self.gap, np.inf, 1.6 * self.band, 0.8 * self.least)
+        band, least = self.settings.struck_bands * self.band, self.settings.struck_turn * self.least
+        member = self._walk(line, self.gap, np.inf, band, least)
         self.free[member] = False
 
     def _begun(self, seed: int) -> np.ndarray:
         """Return the line through a pixel that the most levels lie on; a normal near a corner is askew."""
-        lines = np.array([self._turned(seed, turn) for turn in np.radians(TURNS)])
-        members = [self._walk(line, self.gap, BEGIN) for line in lines]
+        lines = np.array([self._turned(seed, turn) for turn in np.radians(self.settings.begin_turns_deg)])
+        members = [self._walk(line, self.gap, self.settings.begin_m) for line in lines]
         best = int(np.argmax([self.weight[member].sum() for member in members]))
-        return _fitted(self.xy[members[best]], self.weight[members[best]], lines[best], self.band)
+        return self._fitted(members[best], lines[best])
+
+    def _fitted(self, member: np.ndarray, line: np.ndarray) -> np.ndarray:
+        farthest = self.settings.robust_bands * self.band
+        return _fitted(self.xy[member], self.weight[member], line, farthest)
 
     def _turned(self, seed: int, turn: float) -> np.ndarray:
         (x, y), c, s = self.normal[seed], np.cos(turn), np.sin(turn)
         return np.array([*self.xy[seed], -(x * s + y * c), x * c - y * s])
 
-    def _walk(self, line, gap, reach, band=None, least=None) -> np.ndarray:
+    def _walk(
+        self,
+        line: np.ndarray,
+        gap: float,
+        reach: float,
+        band: Optional[float] = None,
+        least: Optional[float] = None,
+    ) -> np.ndarray:
         self.walks += 1
         return _walk(
             self.number, self.pixel, self.xy, self.normal, self.free, self.visited, self.walks, line,
@@ -166,7 +169,20 @@ class _Growth:
 
 
 @njit(nogil=True, cache=True)
-def _walk(number, pixel, xy, normal, free, visited, walk, line, band, gap, reach, least):
+def _walk(
+    number: np.ndarray,
+    pixel: float,
+    xy: np.ndarray,
+    normal: np.ndarray,
+    free: np.ndarray,
+    visited: np.ndarray,
+    walk: int,
+    line: np.ndarray,
+    band: float,
+    gap: float,
+    reach: float,
+    least: float,
+) -> np.ndarray:
     """Return the free pixels along a line, both ways until a gap, whose normals are across it."""
     chosen = []
     rows, columns = number.shape
@@ -193,8 +209,8 @@ def _walk(number, pixel, xy, normal, free, visited, walk, line, band, gap, reach
 
 
 @njit(nogil=True, cache=True)
-def _fitted(xy, weight, line, band):
-    """Fit a line by weighted least squares with Tukey weights; its origin stays near the seed."""
+def _fitted(xy: np.ndarray, weight: np.ndarray, line: np.ndarray, farthest: float) -> np.ndarray:
+    """Fit a line by least squares with Tukey weights, 0 from the farthest; its origin stays near the seed."""
     robust = weight.copy()
     x0, y0, dx, dy = line[0], line[1], line[2], line[3]
     for _ in range(4):
@@ -208,7 +224,7 @@ def _fitted(xy, weight, line, band):
         along = (x0 - mx) * dx + (y0 - my) * dy
         x0, y0 = mx + along * dx, my + along * dy
         for i in range(len(xy)):
-            share = min(abs(x[i] * dy - y[i] * dx) / (1.5 * band), 1.0)
+            share = min(abs(x[i] * dy - y[i] * dx) / farthest, 1.0)
             robust[i] = weight[i] * (1.0 - share * share) ** 2
     return np.array([x0, y0, dx, dy])
 

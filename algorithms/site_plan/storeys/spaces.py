@@ -6,7 +6,7 @@ from .settings import RoomSettings
 
 
 def is_room(outline: Polygon, settings: RoomSettings = RoomSettings()) -> bool:
-    """Tell a room from a niche or an opening."""
+    """Return whether a space is a room, and not a niche or an opening."""
     wide = not outline.buffer(-settings.narrowest_m / 2).is_empty
     return bool(wide and outline.area >= settings.smallest_m2)
 

@@ -7,6 +7,7 @@ from typing import Optional
 import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.ops import linemerge
 
 from ...progress import Progress
@@ -14,16 +15,16 @@ from .division import Division, divide
 from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
-from .levels import Storey, find_storey, find_uprights, frame_around
+from .levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
 from .outlines import parts_of, united
 from .regular import share_lines, square_up
 from .roof import roofed
-from .room_cells import find_rooms
+from .room_cells import Room, find_rooms
 from .settings import StoreySettings
-from .sheets import find_sheets
-from .voxels import make_voxels
+from .sheets import Sheet, find_sheets
+from .voxels import Voxels, make_voxels
 from .wall_bodies import behind, wall_bodies
-from .walls import describe_walls
+from .walls import Wall, describe_walls
 
 
 @dataclass(frozen=True)
@@ -62,12 +63,12 @@ class StoreyPlan:
         Measured on the points.
     """
 
-    walls: tuple
-    rooms: tuple
-    limits: tuple
-    left_out: tuple
-    sheets: tuple
-    region: Polygon
+    walls: tuple[Wall, ...]
+    rooms: tuple[Room, ...]
+    limits: tuple[LineString, ...]
+    left_out: tuple[LeftOut, ...]
+    sheets: tuple[Sheet, ...]
+    region: BaseGeometry
     storey: Optional[Storey]
     spacing_m: float
     noise_m: float
@@ -89,7 +90,7 @@ class StoreyPlan:
 
 
 def make_storey_plan(
-    chunks: Iterable, settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
+    chunks: Iterable[np.ndarray], settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
 ) -> StoreyPlan:
     """Make the plan of a storey from its points.
 
@@ -105,57 +106,62 @@ def make_storey_plan(
     voxels = make_voxels(chunks, settings.voxels)
     storey = find_storey(voxels, settings.levels)
     if storey is None:
-        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+        return _nothing(voxels)
     progress.update(0.4, "Finding faces")
-    uprights = find_uprights(
-        voxels,
-        storey.floor,
-        frame_around(voxels, settings.levels.pixel_m, settings.margin_m),
-        settings.levels,
-    )
+    fine, coarse = _frames(voxels, settings)
+    uprights = find_uprights(voxels, storey.floor, fine, settings.levels)
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
     if not sheets:
-        return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+        return _nothing(voxels)
     progress.update(0.6, "Finding floor and ceiling")
-    frame = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m)
-    footprint = find_footprint(voxels, storey, uprights, sheets, frame, settings.footprint, settings.levels)
+    footprint = find_footprint(voxels, storey, uprights, sheets, coarse, settings.footprint, settings.levels)
     progress.update(0.7, "Dividing rooms from solid")
-    cut = settings.cut
-    along = UprightsAlong(
-        uprights,
-        cut.beside_m,
-        max(cut.station_m, voxels.spacing_m),
-        max(cut.corner_m, voxels.spacing_m),
-        settings.sheets.turn_deg,
-    )
-    division = divide(sheets, footprint, along, cut, settings.levels)
+    along = _along(uprights, voxels.spacing_m, settings)
+    division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
-    walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
-    region = roofed(footprint, settings.roof)
     return StoreyPlan(
-        tuple(walls),
-        tuple(rooms),
-        tuple(_limits(division, settings)),
-        tuple(_left_out(division, sheets, settings)),
-        tuple(sheets),
-        region,
-        storey,
-        voxels.spacing_m,
-        voxels.noise_m,
+        walls=tuple(_walls(division, sheets, parapets, footprint, along, storey, settings)),
+        rooms=tuple(rooms),
+        limits=tuple(_limits(division, settings)),
+        left_out=tuple(_left_out(division, sheets, settings)),
+        sheets=tuple(sheets),
+        region=roofed(footprint, settings.roof),
+        storey=storey,
+        spacing_m=voxels.spacing_m,
+        noise_m=voxels.noise_m,
     )
+
+
+def _nothing(voxels: Voxels) -> StoreyPlan:
+    """Return the plan of points that show no storey."""
+    return StoreyPlan((), (), (), (), (), Polygon(), None, voxels.spacing_m, voxels.noise_m)
+
+
+def _frames(voxels: Voxels, settings: StoreySettings) -> tuple[Frame, Frame]:
+    """Return the pixels of upright surfaces, and those of floor and ceiling."""
+    fine = frame_around(voxels, settings.levels.pixel_m, settings.margin_m, settings.levels)
+    coarse = frame_around(voxels, settings.footprint.pixel_m, settings.margin_m, settings.levels)
+    return fine, coarse
+
+
+def _along(uprights: Uprights, spacing: float, settings: StoreySettings) -> UprightsAlong:
+    """Return what looks up upright surface beside lines; sparse points are looked for farther away."""
+    cut = settings.cut
+    step, reach = max(cut.station_m, spacing), max(cut.corner_m, spacing)
+    return UprightsAlong(uprights, cut.beside_m, step, reach, settings.sheets.turn_deg)
 
 
 def _walls(
     division: Division,
-    sheets: list,
-    parapets: list,
+    sheets: list[Sheet],
+    parapets: list[Polygon],
     footprint: Footprint,
     along: UprightsAlong,
     storey: Storey,
     settings: StoreySettings,
-) -> list:
+) -> list[Wall]:
     """Return the walls behind the faces that bound rooms, and behind those that stand free."""
     faces, _ = division.faces(settings.cut)
     rooms, solid = division.rooms(), division.solid()
@@ -169,7 +175,7 @@ def _walls(
     return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
 
 
-def _limits(division: Division, settings: StoreySettings) -> list:
+def _limits(division: Division, settings: StoreySettings) -> list[LineString]:
     """Return the borders of rooms without a face."""
     arrangement = division.arrangement
     bare = division.are_borders() & ~division.has_face(settings.cut)
@@ -177,7 +183,7 @@ def _limits(division: Division, settings: StoreySettings) -> list:
     return [line for line in parts_of(merged) if line.length >= settings.shortest_limit_m]
 
 
-def _left_out(division: Division, sheets: list, settings: StoreySettings) -> list:
+def _left_out(division: Division, sheets: list[Sheet], settings: StoreySettings) -> list[LeftOut]:
     """Return the sheets that stand free in rooms."""
     inside = division.rooms().buffer(-settings.free_faces.apart_m)
     lines = [LineString([sheet.start, sheet.stop]).intersection(inside) for sheet in sheets]

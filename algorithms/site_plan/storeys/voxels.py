@@ -7,19 +7,13 @@ import numpy as np
 from numba import njit
 from scipy.spatial import cKDTree
 
-from .linking import label_linked
+from ...geometry.linked_parts import label_linked
 from .settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
 """Voxels on each side of the local origin that a key can hold: 20 km at 2 cm."""
 
 BITS = 21
-
-NEIGHBOURS = 6
-"""The distance to this neighbour is about 1.4 times the spacing of a square pattern on a surface."""
-
-SAMPLE, FEWEST_SAMPLED, PLACES = 200_000, 20_000, 4000
-"""About so many voxels are searched for neighbours, not fewer than these, from so many places."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +41,7 @@ class Voxels:
     noise_m: float
 
 
-def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> Voxels:
+def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSettings()) -> Voxels:
     """Reduce points to voxels and find the normals.
 
     Parameters
@@ -57,29 +51,30 @@ def make_voxels(chunks: Iterable, settings: VoxelSettings = VoxelSettings()) -> 
     settings : VoxelSettings
     """
     xyz = _without_strays(_means(chunks, settings.edge_m), settings)
-    if len(xyz) < NEIGHBOURS + 1:
+    if len(xyz) < settings.neighbours + 1:
         return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
-    spacing = max(_spacing(xyz), settings.edge_m)
+    spacing = max(_spacing(xyz, settings), settings.edge_m)
     widest = settings.widest_normal_radius_m
     radius = min(max(settings.normal_radius_m, settings.normal_radius_spacings * spacing), widest)
-    normal, thickness = _normals(xyz, radius)
-    noise = _noise(normal, thickness)
+    fewest = settings.fewest_neighbours
+    normal, thickness = _normals(xyz, radius, fewest)
+    noise = _noise(normal, thickness, settings.upright)
     wider = min(settings.normal_radius_noises * noise, widest)
-    if wider > 1.2 * radius:
+    if wider > settings.refit_growth * radius:
         radius = wider
-        normal, thickness = _normals(xyz, radius)
-        noise = _noise(normal, thickness)
+        normal, thickness = _normals(xyz, radius, fewest)
+        noise = _noise(normal, thickness, settings.upright)
     surface = thickness <= settings.flatness * radius
     lonely = np.isinf(thickness)
     if lonely.mean() > settings.lonely_share:
-        more, thickness = _normals(xyz, 2 * radius)
+        more, thickness = _normals(xyz, 2 * radius, fewest)
         normal[lonely] = more[lonely]
         surface[lonely] = thickness[lonely] <= settings.flatness * radius
     normal[~surface] = 0.0
     return Voxels(xyz, normal, settings.edge_m, spacing, noise)
 
 
-def _means(chunks: Iterable, edge: float) -> np.ndarray:
+def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
     keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
     for chunk in chunks:
@@ -107,7 +102,8 @@ def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
         for dx, dy in around
         if (x + dx, y + dy) in number
     ]
-    part = label_linked(*np.array(pairs).T, len(blocks))[member.ravel()]
+    first, second = np.array(pairs).T
+    part = label_linked(first, second, len(blocks))[member.ravel()]
     return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
 
 
@@ -123,7 +119,7 @@ def _unpacked(keys: np.ndarray) -> np.ndarray:
     return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
 
 
-def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
+def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Add up the values, shape (n, k), of equal keys."""
     order = np.argsort(keys, kind="stable")
     keys = keys[order]
@@ -131,55 +127,50 @@ def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple:
     return keys[first], np.add.reduceat(values[order], first, axis=0)
 
 
-def _spacing(xyz: np.ndarray) -> float:
+def _spacing(xyz: np.ndarray, settings: VoxelSettings) -> float:
     """Return the usual distance of neighbours, measured in columns of a metre all over the cloud."""
     columns = np.floor(xyz[:, :2]).astype(np.int64) + HALF_RANGE
     number = (columns[:, 0] << BITS) | columns[:, 1]
-    every = max(len(xyz) // SAMPLE, 1)
+    every = max(len(xyz) // settings.sampled_points, 1)
     chosen = xyz[number % every == 0] if every > 1 else xyz
-    if len(chosen) < FEWEST_SAMPLED:
+    if len(chosen) < settings.fewest_sampled_points:
         chosen = xyz
-    places = chosen[:: max(len(chosen) // PLACES, 1)]
-    distance = cKDTree(chosen).query(places, NEIGHBOURS + 1)[0][:, -1]
+    queried = chosen[:: max(len(chosen) // settings.queried_points, 1)]
+    distance = cKDTree(chosen).query(queried, settings.neighbours + 1)[0][:, -1]
     return float(np.median(distance) / np.sqrt(2.0))
 
 
-def _noise(normal: np.ndarray, thickness: np.ndarray) -> float:
+def _noise(normal: np.ndarray, thickness: np.ndarray, most: float) -> float:
     """Return the median thickness of upright surfaces, metres."""
-    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < 0.2)
+    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < most)
     return float(np.median(thickness[upright])) if upright.any() else 0.0
 
 
-def _normals(xyz: np.ndarray, radius: float) -> tuple:
+def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, np.ndarray]:
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
     buckets = _packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
-    normal, thickness = _fit_planes(xyz[order], buckets[order], radius)
+    normal, thickness = _fit_planes(xyz[order], buckets[order], radius, fewest)
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
 
 
 @njit(nogil=True, cache=True)
-def _fit_planes(xyz, buckets, radius):
+def _fit_planes(
+    xyz: np.ndarray, buckets: np.ndarray, radius: float, fewest: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
     count = len(xyz)
     normal = np.zeros((count, 3), np.float32)
     thickness = np.full(count, np.inf, np.float32)
-    one = np.int64(1)
     reach = radius * radius
     starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
     last = np.int64(-1)
     for i in range(count):
         if buckets[i] != last:
             last = buckets[i]
-            k = 0
-            for dx in range(-1, 2):
-                for dy in range(-1, 2):
-                    middle = last + (dx * (one << 42)) + (dy * (one << 21))
-                    starts[k] = np.searchsorted(buckets, middle - 1)
-                    ends[k] = np.searchsorted(buckets, middle + 2)
-                    k += 1
+            _find_around(buckets, last, starts, ends)
         n = 0
         sx = sy = sz = sxx = sxy = sxz = syy = syz = szz = 0.0
         for k in range(9):
@@ -196,24 +187,30 @@ def _fit_planes(xyz, buckets, radius):
                     syy += y * y
                     syz += y * z
                     szz += z * z
-        if n < 5:
+        if n < fewest:
             continue
         sx, sy, sz = sx / n, sy / n, sz / n
-        smallest = _thinnest(
-            sxx / n - sx * sx,
-            sxy / n - sx * sy,
-            sxz / n - sx * sz,
-            syy / n - sy * sy,
-            syz / n - sy * sz,
-            szz / n - sz * sz,
-            normal[i],
-        )
+        sxx, sxy, sxz = sxx / n - sx * sx, sxy / n - sx * sy, sxz / n - sx * sz
+        syy, syz, szz = syy / n - sy * sy, syz / n - sy * sz, szz / n - sz * sz
+        smallest = _thinnest(sxx, sxy, sxz, syy, syz, szz, normal[i])
         thickness[i] = np.sqrt(max(smallest, 0.0))
     return normal, thickness
 
 
 @njit(nogil=True, cache=True)
-def _thinnest(a, b, c, d, e, f, direction):
+def _find_around(buckets: np.ndarray, middle: int, starts: np.ndarray, ends: np.ndarray) -> None:
+    """Write where the nine columns of three buckets around a bucket start and end."""
+    k = 0
+    for dx in range(-1, 2):
+        for dy in range(-1, 2):
+            column = middle + (dx * (np.int64(1) << 42)) + (dy * (np.int64(1) << 21))
+            starts[k] = np.searchsorted(buckets, column - 1)
+            ends[k] = np.searchsorted(buckets, column + 2)
+            k += 1
+
+
+@njit(nogil=True, cache=True)
+def _thinnest(a: float, b: float, c: float, d: float, e: float, f: float, direction: np.ndarray) -> float:
     """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
     mean = (a + d + f) / 3.0
     p1 = b * b + c * c + e * e

@@ -2,8 +2,10 @@
 
 import numpy as np
 from shapely.geometry import MultiPoint, Polygon
+from shapely.geometry.base import BaseGeometry
 
-from .outlines import parts_of, tidy, united
+from ...geometry.polygons import polygons_of
+from .outlines import tidy, united
 from .settings import WallSettings
 
 MITRE = 2
@@ -15,14 +17,13 @@ SECTORS = 8
 SHARP = -0.5
 """Cosine of the turn beyond which the corner of a strip is cut off."""
 
-CRACK = 0.002
-"""Cracks up to twice so wide are closed, metres."""
-
 SEAM_M2 = 0.002
 """Closing cracks moves the edges of holes by so much area."""
 
 
-def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings()) -> list:
+def wall_bodies(
+    faces: np.ndarray, solid: BaseGeometry, settings: WallSettings = WallSettings()
+) -> list[Polygon]:
     """Return the walls behind faces, not cut into pieces.
 
     Parameters
@@ -37,19 +38,16 @@ def wall_bodies(faces: np.ndarray, solid, settings: WallSettings = WallSettings(
     -------
     list of Polygon
     """
-    half = settings.thickest_m / 2
-    deep = solid.buffer(-half, join_style=MITRE).buffer(half + CRACK, join_style=MITRE)
+    half, crack = settings.thickest_m / 2, settings.crack_m
+    deep = solid.buffer(-half, join_style=MITRE).buffer(half + crack, join_style=MITRE)
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
-    body = united([strips, backed]).buffer(CRACK, join_style=MITRE).buffer(-CRACK, join_style=MITRE)
-    return [
-        tidy(_filled(part, solid, half), settings)
-        for part in parts_of(body)
-        if part.geom_type == "Polygon" and part.area >= settings.smallest_m2
-    ]
+    body = united([strips, backed]).buffer(crack, join_style=MITRE).buffer(-crack, join_style=MITRE)
+    large = [part for part in polygons_of(body) if part.area >= settings.smallest_m2]
+    return [tidy(_filled(part, solid, half), settings) for part in large]
 
 
-def _filled(body: Polygon, solid, half: float) -> Polygon:
+def _filled(body: Polygon, solid: BaseGeometry, half: float) -> Polygon:
     """Return a body without the holes that are solid and no wider than a wall: there walls cross."""
     holes = [Polygon(ring) for ring in body.interiors]
     kept = [
@@ -60,25 +58,25 @@ def _filled(body: Polygon, solid, half: float) -> Polygon:
     return Polygon(np.asarray(body.exterior.coords), kept)
 
 
-def between(faces: np.ndarray, thickest: float):
+def between(faces: np.ndarray, thickest: float) -> BaseGeometry:
     """Return what lies behind two faces that turn their solid sides to each other."""
     along = faces[:, 2:] - faces[:, :2]
     sector = (np.arctan2(along[:, 1], along[:, 0]) // (2 * np.pi / SECTORS)).astype(int) % SECTORS
-    # The other face ends where a third wall meets this one, but goes on behind it.
+    # The other face ends where a third wall meets this one, but continues behind it.
     way = thickest * along / np.hypot(*along.T)[:, None]
     longer = faces + np.hstack([-way, way])
     parts = []
     for number in np.unique(sector):
-        turned = (sector - number - SECTORS // 2) % SECTORS
-        opposite = (turned <= 1) | (turned == SECTORS - 1)
+        apart = (sector - number - SECTORS // 2) % SECTORS
+        opposite = (apart <= 1) | (apart == SECTORS - 1)
         if opposite.any():
             own = behind(faces[sector == number], thickest)
             parts.append(own.intersection(behind(longer[opposite], thickest)))
     return united(parts)
 
 
-def behind(faces: np.ndarray, depth: float):
-    """Return what lies within a depth behind faces, with corners where one face goes on in another."""
+def behind(faces: np.ndarray, depth: float) -> BaseGeometry:
+    """Return what lies within a depth behind faces, with corners where one face continues in another."""
     along = faces[:, 2:] - faces[:, :2]
     normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
     starts, ends = faces[:, :2], faces[:, 2:]
@@ -86,7 +84,7 @@ def behind(faces: np.ndarray, depth: float):
         Polygon([start, end, end + depth * across, start + depth * across])
         for start, end, across in zip(starts, ends, normal)
     ]
-    begins = {}
+    begins: dict[tuple[float, ...], list[int]] = {}
     for number, start in enumerate(map(tuple, starts.tolist())):
         begins.setdefault(start, []).append(number)
     for one, end in enumerate(map(tuple, ends.tolist())):
@@ -96,7 +94,7 @@ def behind(faces: np.ndarray, depth: float):
     return united([part for part in parts if part.is_valid and part.area > 0])
 
 
-def _corner(place: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float):
+def _corner(end: np.ndarray, one: np.ndarray, other: np.ndarray, depth: float) -> BaseGeometry:
     """Return the corner between the strips behind two faces."""
     tip = (one + other) / max(1 + one @ other, 0.1) if one @ other > SHARP else (one + other) / 2
-    return MultiPoint([place, place + depth * one, place + depth * tip, place + depth * other]).convex_hull
+    return MultiPoint([end, end + depth * one, end + depth * tip, end + depth * other]).convex_hull

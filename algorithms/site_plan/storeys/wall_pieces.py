@@ -1,5 +1,7 @@
 """Bodies of walls cut into pieces between junctions and openings, as a surveyor schedules them."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from shapely.geometry import LineString, Point, Polygon
 from shapely.ops import polygonize, unary_union
@@ -7,29 +9,23 @@ from shapely.prepared import prep
 
 from .settings import WallSettings
 
-TURN = 0.25
-"""Sine of the least turn of a corner at which walls meet: 15 degrees."""
-
 OVER = 1e-3
-"""A cut goes on over the outline by so much, metres."""
+"""A cut extends beyond the outline by so much, metres."""
 
 START = 1e-4
 """A cut is looked for from so far before its corner, metres."""
 
-TWO_CORNERS = 0.7
-"""A cut between two corners is preferred, as if it were so much shorter."""
 
-
-def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> list:
+def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> list[Polygon]:
     """Cut a body at the corners where walls meet; return its pieces, which share their edges exactly.
 
     A body juts out at such a corner: each is cut once, by the shortest cut along one of its two sides or
     to another such corner.
     """
-    corners, ways = _inner_corners(body)
+    corners, ways = _inner_corners(body, settings.junction_sine)
     if not len(corners):
         return [body]
-    chosen = []
+    chosen: list[LineString] = []
     done = np.zeros(len(corners), bool)
     for _, cut, ends in sorted(_cuts(body, corners, ways, settings), key=lambda entry: entry[0]):
         if done[list(ends)].any() or any(_cross(cut, other) for other in chosen):
@@ -41,8 +37,8 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
     return [piece for piece in pieces if inside.contains(piece.representative_point()) and piece.area > 1e-6]
 
 
-def _inner_corners(body: Polygon) -> tuple:
-    """Return the corners with more than half a turn inside the body, and the ways that their sides go on."""
+def _inner_corners(body: Polygon, least: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the corners with over 180 degrees inside the body, and where to their sides continue."""
     corners, ways = [], []
     for ring, sign in ((body.exterior, 1), *((ring, -1) for ring in body.interiors)):
         xy = np.asarray(ring.coords)[:-1]
@@ -50,7 +46,7 @@ def _inner_corners(body: Polygon) -> tuple:
             xy = xy[::-1]
         before = _unit(xy - np.roll(xy, 1, axis=0))
         after = _unit(np.roll(xy, -1, axis=0) - xy)
-        inner = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < -TURN
+        inner = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0] < -least
         corners.append(xy[inner])
         ways.append(np.stack([before[inner], -after[inner]], axis=1))
     return np.concatenate(corners), np.concatenate(ways)
@@ -60,7 +56,9 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
     return vectors / np.maximum(np.hypot(*vectors.T), 1e-12)[:, None]
 
 
-def _cuts(body: Polygon, corners: np.ndarray, ways: np.ndarray, settings: WallSettings):
+def _cuts(
+    body: Polygon, corners: np.ndarray, ways: np.ndarray, settings: WallSettings
+) -> Iterator[tuple[float, LineString, tuple[int, ...]]]:
     """Yield the possible cuts: rank, line, and the corners that it starts from."""
     longest = settings.longest_cut_m
     within = prep(body.buffer(1e-6))
@@ -77,13 +75,13 @@ def _cuts(body: Polygon, corners: np.ndarray, ways: np.ndarray, settings: WallSe
         for j in np.flatnonzero(np.hypot(*(corners[i + 1 :] - corner).T) <= longest) + i + 1:
             cut = LineString([corner, corners[j]])
             if cut.length > 10 * START and within.contains(cut):
-                yield TWO_CORNERS * cut.length, cut, (i, j)
+                yield settings.two_corners * cut.length, cut, (i, j)
 
 
 def _cross(one: LineString, other: LineString) -> bool:
-    """Tell whether two cuts cross, other than at their ends."""
+    """Return whether two cuts cross, other than at their ends."""
     shared = one.intersection(other)
     if shared.is_empty:
         return False
-    ends = [Point(place) for line in (one, other) for place in line.coords]
+    ends = [Point(end) for line in (one, other) for end in line.coords]
     return shared.length > OVER or min(shared.distance(end) for end in ends) > 2 * OVER

@@ -1,10 +1,12 @@
 """What is known of each wall: its kind, thickness and heights, and how much of it was seen."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Optional
 
 import numpy as np
-from shapely.geometry import Polygon
+from shapely.geometry import LinearRing, Polygon
 
 from .evidence import UprightsAlong
 from .levels import Storey, count_levels
@@ -42,57 +44,53 @@ class Wall:
 
 
 def describe_walls(
-    bodies: list,
-    parapets: list,
+    bodies: Sequence[Polygon],
+    parapets: Sequence[Polygon],
     uprights: UprightsAlong,
     storey: Storey,
     settings: WallSettings = WallSettings(),
     cut: CutSettings = CutSettings(),
     levels: LevelSettings = LevelSettings(),
-) -> list:
+) -> list[Wall]:
     """Cut bodies of walls into pieces and measure them.
 
     Parameters
     ----------
-    bodies : list of Polygon
+    bodies : sequence of Polygon
         Not overlapping; free of parapets.
-    parapets : list of Polygon
+    parapets : sequence of Polygon
     uprights : UprightsAlong
     storey : Storey
     settings, cut, levels : WallSettings, CutSettings, LevelSettings
     """
+    measured = partial(_measured, uprights=uprights, storey=storey, settings=settings, cut=cut, levels=levels)
     walls = []
     for number, body in enumerate(bodies, start=1):
-        pieces = cut_at_junctions(body, settings)
-        free = len(pieces) == 1 and body.area <= settings.column_m2
-        for piece in pieces:
-            measured = _measured(piece, number, uprights, storey, settings, cut, levels)
-            kind = "column" if free and measured.coverage > 0.5 and not _is_strip(piece, settings) else "wall"
-            walls.append(Wall(piece, kind, number, *measured.values))
-    for outline in parapets:
-        measured = _measured(outline, 0, uprights, storey, settings, cut, levels)
-        walls.append(Wall(outline, "parapet", 0, *measured.values))
-    return walls
+        pieces = [measured(piece, "wall", number) for piece in cut_at_junctions(body, settings)]
+        if len(pieces) == 1 and _is_column(pieces[0], body, settings):
+            pieces = [replace(pieces[0], kind="column")]
+        walls += pieces
+    return walls + [measured(outline, "parapet", 0) for outline in parapets]
 
 
-@dataclass(frozen=True)
-class _Measured:
-    thickness: Optional[float]
-    z_base: Optional[float]
-    z_top: Optional[float]
-    coverage: float
-
-    @property
-    def values(self) -> tuple:
-        return self.thickness, self.z_base, self.z_top, self.coverage
+def _is_column(piece: Wall, body: Polygon, settings: WallSettings) -> bool:
+    """Return whether the only piece of a body is a column: small, seen from most sides, and no strip."""
+    if body.area > settings.column_m2 or piece.coverage <= settings.column_coverage:
+        return False
+    return not piece.outline.buffer(-0.55 * settings.strip_m).is_empty
 
 
-def _is_strip(piece: Polygon, settings: WallSettings) -> bool:
-    return piece.buffer(-0.55 * settings.strip_m).is_empty
-
-
-def _measured(piece, number, uprights, storey, settings, cut, levels) -> _Measured:
-    edges = np.concatenate([_edges(ring) for ring in (piece.exterior, *piece.interiors)])
+def _measured(
+    outline: Polygon,
+    kind: str,
+    body: int,
+    uprights: UprightsAlong,
+    storey: Storey,
+    settings: WallSettings,
+    cut: CutSettings,
+    levels: LevelSettings,
+) -> Wall:
+    edges = np.concatenate([_edges(ring) for ring in (outline.exterior, *outline.interiors)])
     length = np.hypot(edges[:, 2] - edges[:, 0], edges[:, 3] - edges[:, 1])
     bits, edge = uprights.stations(edges)
     filled = np.bincount(edge, count_levels(bits), len(edges)) / np.bincount(edge, minlength=len(edges))
@@ -103,10 +101,11 @@ def _measured(piece, number, uprights, storey, settings, cut, levels) -> _Measur
         base = storey.floor + levels.level_m * ((together & -together).bit_length() - 1)
         top = storey.floor + levels.level_m * together.bit_length()
     thickness = _thickness(edges[seen], length[seen], settings)
-    return _Measured(thickness, base, top, float(length[seen].sum() / length.sum()))
+    coverage = float(length[seen].sum() / length.sum())
+    return Wall(outline, kind, body, thickness, base, top, coverage)
 
 
-def _edges(ring) -> np.ndarray:
+def _edges(ring: LinearRing) -> np.ndarray:
     xy = np.asarray(ring.coords)
     return np.hstack([xy[:-1], xy[1:]])
 
