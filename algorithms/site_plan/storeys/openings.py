@@ -18,13 +18,13 @@ class Parts:
 
     Attributes
     ----------
-    outlines : tuple of Polygon or MultiPolygon
-    over_sill : tuple of bool
+    outlines : list of Polygon or MultiPolygon
+    over_sill : list of bool
         Whether a part is cut off by the face of a parapet.
     """
 
-    outlines: tuple[BaseGeometry, ...]
-    over_sill: tuple[bool, ...]
+    outlines: list[BaseGeometry]
+    over_sill: list[bool]
 
 
 @dataclass(frozen=True)
@@ -59,8 +59,8 @@ def cut_at_openings(
     linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
     part = _linked(sides[linked], len(room))
     numbers = np.unique(part[room])
-    outlines = tuple(division.area(np.flatnonzero((part == number) & room)) for number in numbers)
-    return Parts(outlines, tuple(np.isin(numbers, part[sides[found.over_sill]]).tolist()))
+    outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
+    return Parts(outlines, np.isin(numbers, part[sides[found.over_sill]]).tolist())
 
 
 def _linked(sides: np.ndarray, count: int) -> np.ndarray:
