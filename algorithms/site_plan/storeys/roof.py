@@ -18,6 +18,9 @@ def roofed(footprint: Footprint, settings: RoofSettings = RoofSettings()) -> Bas
     block = max(round(settings.cell_m / frame.pixel_m), 1)
     seen = _any_in_blocks(np.isfinite(footprint.ceiling), block)
     rounds = max(round(settings.closed_m / settings.cell_m / 2), 1)
+    # On a slope the higher ground lies as high as a ceiling, but over no floor.
+    floor = _any_in_blocks(np.isfinite(footprint.floor), block)
+    seen &= ndimage.binary_dilation(floor, iterations=rounds)
     padded = np.pad(seen, rounds)
     closed = ndimage.binary_closing(padded, iterations=rounds)[rounds:-rounds, rounds:-rounds]
     edge = block * frame.pixel_m
