@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Optional
 
 from ..clouds.cloud import Cloud
-from ..errors import NothingFoundError
+from ..errors import InputError, NothingFoundError
 from ..progress import Progress
 from .axes.axes import Axis, find_axes
 from .density.density_image import DensityImage, SortedPoints, sort_and_image
@@ -50,7 +51,8 @@ def make_site_plan(
     """
     with _sorted(cloud, settings, progress.part(0.0, 0.5)) as (density, points):
         found = _extracted(density, settings, progress.part(0.5, 0.6))
-        walls, foliage, storey = _on_faces(found, points, density, settings, progress)
+        plan, foliage, storey = _on_faces(found, points, density, settings, progress)
+    walls, warnings = plan.walls, plan.warnings
     axes = _axes(walls, settings, progress.part(0.9, 0.95))
     rooms = _rooms(walls, storey, density, settings, progress.part(0.95, 1.0))
     progress.update(1.0)
@@ -59,7 +61,7 @@ def make_site_plan(
         crs=density.crs,
         image=found.image,
         walls=walls,
-        warnings=(*found.warnings, NO_ROOM) if rooms == () else found.warnings,
+        warnings=(*warnings, NO_ROOM) if rooms == () else warnings,
         settings=settings,
         density=density,
         pixel_walls=found.walls,
@@ -136,16 +138,20 @@ def _on_faces(
     density: DensityImage,
     settings: SitePlanSettings,
     progress: Progress,
-) -> tuple[tuple[Wall, ...], int, Optional[StoreyPlan]]:
-    """Return walls with outlines on the faces, the number left out as foliage, and the plan of the storey."""
+) -> tuple[WallPlan, int, Optional[StoreyPlan]]:
+    """Return the plan with outlines on the faces, the number left out as foliage, and the storey."""
     if not settings.refine:
-        return found.walls, 0, None
+        return found, 0, None
     chosen = progress.part(0.6, 0.7), settings.faces
     walls, foliage = refine_on_points(found.walls, found.image.walls, points, density, *chosen)
-    storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
+    try:
+        storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
+    except InputError as error:
+        # The density image has a plan of the largest site.
+        return replace(found, walls=walls, warnings=(*found.warnings, str(error))), foliage, None
     if storey:
         walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
-    return walls, foliage, storey
+    return replace(found, walls=walls), foliage, storey
 
 
 def _axes(

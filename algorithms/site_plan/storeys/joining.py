@@ -34,13 +34,17 @@ def plan_storey(
     settings : StoreySettings
     progress : Progress
         Reports and cancels.
+
+    Raises
+    ------
+    InputError
+        If what lies under a ceiling is too large.
     """
     edge = points.store.edge * LATTICE
     origin = np.floor(np.min(points.keys, axis=0) * edge)
-    plan = make_storey_plan(_chunks(points, origin, progress.part(0.0, 0.4)), settings, progress)
-    if plan.storey is None or plan.storey.ceiling is None:
-        return None
-    return under_roof(plan.moved(*origin), settings.joining)
+    chunks = _chunks(points, origin, progress.part(0.0, 0.4))
+    plan = make_storey_plan(chunks, settings, progress, under_ceiling=True)
+    return under_roof(plan.moved(*origin), settings.joining) if plan.storey else None
 
 
 def _chunks(points: SortedPoints, origin: np.ndarray, progress: Progress) -> Iterator[np.ndarray]:

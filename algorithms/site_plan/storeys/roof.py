@@ -21,7 +21,10 @@ def roofed(footprint: Footprint, settings: RoofSettings = RoofSettings()) -> Bas
     frame = footprint.frame
     block = max(round(settings.cell_m / frame.pixel_m), 1)
     seen = _any_in_blocks(np.isfinite(footprint.ceiling), block)
-    closed = _closed(seen, settings)
+    # On a slope the higher ground lies as high as a ceiling, but over no floor.
+    floor = _any_in_blocks(np.isfinite(footprint.floor), block)
+    rounds = max(round(settings.closed_m / settings.cell_m / 2), 1)
+    closed = _closed(seen & ndimage.binary_dilation(floor, iterations=rounds), settings)
     edge = block * frame.pixel_m
     grid = Affine(edge, 0.0, frame.left, 0.0, edge, frame.bottom)
     parts = [shape(geometry) for geometry, _ in shapes(closed.astype(np.uint8), mask=closed, transform=grid)]

@@ -195,12 +195,15 @@ class WallSettings:
     straight_m: float = physical(0.001, "A corner so little off the line of its neighbours says nothing.")
     smallest_m2: float = judged(0.002, "A strip of 10 cm is the shortest wall that one face shows.")
     longest_cut_m: float = physical(0.9, "A cut slantwise across a thick wall is no longer.")
+    shortest_piece_m: float = physical(0.1, "A shorter piece is an end of a wall: partitions are as thick.")
     junction_sine: float = judged(
         0.25, "Walls that differ in direction by less than 15 degrees are one wall."
     )
     two_corners: float = judged(0.7, "A cut that ends in a second corner is better, as if it were shorter.")
     column_m2: float = physical(1.5, "A larger body that stands free is a wall or a core.")
     column_coverage: float = judged(0.5, "A column is seen from most of its sides.")
+    column_slenderness: float = judged(3.0, "A body longer than that for its width is a wall.")
+    column_fill: float = judged(0.5, "Walls that meet in a corner fill less of the rectangle around them.")
     opposite_deg: float = judged(5.0, "The two faces of a wall are parallel up to this.")
 
 

@@ -90,7 +90,10 @@ class StoreyPlan:
 
 
 def make_storey_plan(
-    chunks: Iterable[np.ndarray], settings: StoreySettings = StoreySettings(), progress: Progress = Progress()
+    chunks: Iterable[np.ndarray],
+    settings: StoreySettings = StoreySettings(),
+    progress: Progress = Progress(),
+    under_ceiling: bool = False,
 ) -> StoreyPlan:
     """Make the plan of a storey from its points.
 
@@ -101,11 +104,13 @@ def make_storey_plan(
     settings : StoreySettings
     progress : Progress
         Reports and cancels.
+    under_ceiling : bool
+        Whether nothing is looked for where no ceiling was seen; this saves time in the open.
     """
     progress.update(0.0, "Reducing points to voxels")
     voxels = make_voxels(chunks, settings.voxels)
     storey = find_storey(voxels, settings.levels)
-    if storey is None:
+    if storey is None or (under_ceiling and storey.ceiling is None):
         return _nothing(voxels)
     if storey.ceiling is not None:
         voxels = near_roof(voxels, storey, settings.levels, settings.roof)

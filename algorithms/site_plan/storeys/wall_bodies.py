@@ -44,8 +44,8 @@ def wall_bodies(
     strips = behind(faces, settings.strip_m).intersection(solid)
     backed = between(faces, settings.thickest_m).intersection(solid.difference(deep))
     body = united([strips, backed]).buffer(crack, join_style=MITRE).buffer(-crack, join_style=MITRE)
-    parts = [part for part in polygons_of(body) if part.area >= settings.smallest_m2]
-    return [tidy(_filled(part, solid, half), settings) for part in parts]
+    large = [part for part in polygons_of(body) if part.area >= settings.smallest_m2]
+    return [tidy(_filled(part, solid, half), settings) for part in large]
 
 
 def _filled(body: Polygon, solid: BaseGeometry, half: float) -> Polygon:

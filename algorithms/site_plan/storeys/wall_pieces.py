@@ -32,9 +32,24 @@ def cut_at_junctions(body: Polygon, settings: WallSettings = WallSettings()) -> 
             continue
         chosen.append(cut)
         done[list(ends)] = True
-    pieces = polygonize(unary_union([body.exterior, *body.interiors, *chosen]))
+    while True:
+        pieces = _pieces(body, chosen)
+        scraps = [piece for piece in pieces if piece.length < 2 * settings.shortest_piece_m]
+        needless = [cut for cut in chosen if any(_bounds(cut, scrap) for scrap in scraps)]
+        if not needless:
+            return pieces
+        chosen = [cut for cut in chosen if cut not in needless]
+
+
+def _pieces(body: Polygon, cuts: list[LineString]) -> list[Polygon]:
+    pieces = polygonize(unary_union([body.exterior, *body.interiors, *cuts]))
     inside = prep(body.buffer(OVER))
     return [piece for piece in pieces if inside.contains(piece.representative_point()) and piece.area > 1e-6]
+
+
+def _bounds(cut: LineString, piece: Polygon) -> bool:
+    """Return whether a cut lies on the outline of a piece."""
+    return cut.intersection(piece.buffer(START)).length > 0.5 * (cut.length - OVER)
 
 
 def _inner_corners(body: Polygon, least: float) -> tuple[np.ndarray, np.ndarray]:

@@ -1,7 +1,7 @@
 """What is known of each wall: its kind, thickness and heights, and how much of it was seen."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Optional
 
@@ -66,18 +66,24 @@ def describe_walls(
     measured = partial(_measured, uprights=uprights, storey=storey, settings=settings, cut=cut, levels=levels)
     walls = []
     for number, body in enumerate(bodies, start=1):
-        pieces = [measured(piece, "wall", number) for piece in cut_at_junctions(body, settings)]
-        if len(pieces) == 1 and _is_column(pieces[0], body, settings):
-            pieces = [replace(pieces[0], kind="column")]
-        walls += pieces
+        column = measured(body, "column", number)
+        if _is_column(column, settings):
+            walls.append(column)
+        else:
+            walls += [measured(piece, "wall", number) for piece in cut_at_junctions(body, settings)]
     return walls + [measured(outline, "parapet", 0) for outline in parapets]
 
 
-def _is_column(piece: Wall, body: Polygon, settings: WallSettings) -> bool:
-    """Return whether the only piece of a body is a column: small, seen from most sides, and no strip."""
-    if body.area > settings.column_m2 or piece.coverage <= settings.column_coverage:
+def _is_column(body: Wall, settings: WallSettings) -> bool:
+    """Return whether a body is a column: small, compact, seen from most sides, and no strip."""
+    outline = body.outline
+    if outline.area > settings.column_m2 or body.coverage <= settings.column_coverage:
         return False
-    return not piece.outline.buffer(-0.55 * settings.strip_m).is_empty
+    corners = np.asarray(outline.minimum_rotated_rectangle.exterior.coords)
+    width, length = sorted(np.hypot(*np.diff(corners[:3], axis=0).T))
+    is_compact = length <= settings.column_slenderness * width
+    is_full = outline.area >= settings.column_fill * width * length
+    return is_compact and is_full and not outline.buffer(-0.55 * settings.strip_m).is_empty
 
 
 def _measured(

@@ -263,3 +263,24 @@ def test_what_ends_below_the_section_is_a_limit_and_no_wall(section, expected):
     east = in_world(box(3.9, 0.5, 4.1, 2.5))
     assert any(wall.outline.intersects(east) for wall in plan.walls) == expected
     assert any(line.intersects(east) for line in plan.storey.limits) != expected
+
+
+def far_apart(*surfaces):
+    """Return four copies of surfaces at the corners and in the middle of a site of 300 m."""
+    corners = ((0, 0, 0), (300, 300, 0), (150, 150, 0), (0, 300, 0))
+    return np.concatenate([surface + corner for surface in surfaces for corner in corners])
+
+
+def test_a_site_too_large_for_a_plan_of_rooms_still_has_walls():
+    wall = [level((-1, 5), (-2, 3), 0.0), sides_of((0, 4), (0, 0.3), 0.0, 2.4)]
+    plan = make_site_plan(cloud_of(far_apart(*wall)))
+    assert len(plan.walls) == 4
+    assert (plan.storey, plan.warnings) == (None, ())
+
+
+def test_a_roofed_site_too_large_for_a_plan_of_rooms_has_walls_and_a_warning():
+    plan = make_site_plan(cloud_of(far_apart(points_under_ceiling())))
+    assert len(plan.walls) == 4
+    assert plan.storey is None
+    (warning,) = plan.warnings
+    assert "too large for a plan of rooms" in warning

@@ -38,3 +38,17 @@ def test_a_frame_need_not_be_whole_cells(shape):
         assert found.bounds == pytest.approx((10, 20, 14, 24.2))
     else:
         assert found.is_empty
+
+
+def test_high_ground_over_no_floor_is_no_roof():
+    terrace = footprint_of((5, 0, 9, 6), floor=np.nan)
+    ground = footprint_of((0, 0, 4.6, 6), ceiling=np.nan)
+    slope = Footprint(ground.frame, ground.weight, ground.floor, terrace.ceiling)
+    assert roofed(slope).area < 6 * 0.5
+
+
+def test_furniture_hides_the_floor_of_a_room_but_not_its_roof():
+    room = footprint_of((0, 0, 4, 3))
+    clear = footprint_of((0, 0, 4, 2.2))
+    found = roofed(Footprint(room.frame, room.weight, clear.floor, room.ceiling))
+    assert found.area > 0.75 * 12

@@ -196,6 +196,12 @@ def test_a_floor_alone_bounds_no_room_by_walls():
     assert (plan.walls, plan.rooms) == ((), ())
 
 
+def test_only_under_a_ceiling_nothing_is_looked_for_in_the_open():
+    points = scanned(flat(0, 0, 4, 3, 0.0), upright((0, 0), (4, 0)))
+    assert make_storey_plan([points], under_ceiling=True).storey is None
+    assert make_storey_plan([scanned(room(0, 0, 4, 3))], under_ceiling=True).rooms
+
+
 def test_one_wall_and_its_floor_are_a_wall_and_no_crash():
     plan = plan_of(scanned(flat(0, 0, 4, 3, 0.0), upright((0, 0), (4, 0))))
     assert plan.storey.ceiling is None

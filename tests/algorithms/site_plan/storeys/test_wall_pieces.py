@@ -48,3 +48,9 @@ def test_a_slight_bend_is_no_junction():
 def test_what_is_wider_than_a_wall_is_not_cut():
     corner = Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
     assert len(cut_at_junctions(corner)) == 1
+
+
+def test_a_scrap_is_no_piece():
+    nose = unary_union([box(0, 0, 4, 0.2), box(1.5, 0.2, 1.52, 0.22)])
+    assert len(cut_at_junctions(nose)) == 1
+    assert len(cut_at_junctions(nose.union(box(2.5, 0.2, 2.7, 2)))) == 2

@@ -69,6 +69,23 @@ def test_other_free_bodies_are_walls(faces, body):
     assert {wall.kind for wall in described(faces, body)} == {"wall"}
 
 
+def test_a_column_with_a_notch_is_not_cut():
+    notched = box(1, 1, 1.5, 1.5).difference(box(1.4, 1.4, 1.5, 1.5))
+    faces = [*sides(1, 1, 1.5, 1.5)[:2], Face((1.4, 1.5), (1, 1.5)), Face((1, 1.5), (1, 1))]
+    assert [wall.kind for wall in described(faces, notched)] == ["column"]
+
+
+def test_a_short_wall_that_stands_free_is_a_wall():
+    stub = box(1, 1, 2.2, 1.12)
+    assert [wall.kind for wall in described(sides(*stub.bounds), stub)] == ["wall"]
+
+
+def test_walls_that_meet_in_a_corner_are_no_column():
+    corner = box(1, 1, 2, 2).difference(box(1.15, 1.15, 2, 2))
+    faces = [*sides(1, 1, 2, 1.15), *sides(1, 1, 1.15, 2)]
+    assert [wall.kind for wall in described(faces, corner)] == ["wall", "wall"]
+
+
 def test_pieces_of_one_body_share_its_number_and_their_edges():
     ring = box(-0.2, -0.2, 4.2, 3.2).difference(box(0, 0, 4, 3))
     walls = described(sides(0, 0, 4, 3), ring, box(6, 0, 9, 0.2))
