@@ -94,6 +94,7 @@ def join_walls(
     settings : JoiningSettings
     """
     outside = [part for wall in walls for part in _outside(wall, storey.region, settings)]
+    outside += _columns(walls, storey, settings)
     measured = _measured([wall.outline for wall in storey.walls], image, transform)
     inside = [
         Wall(
@@ -149,6 +150,23 @@ def _outside(wall: Wall, region: BaseGeometry, settings: JoiningSettings) -> lis
         replace(wall, outline=part, length=band_length(part))
         for part in parts
         if band_length(part) >= settings.shortest_rest_m
+    ]
+
+
+def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSettings) -> list[Wall]:
+    """Return the free-standing columns of the density image that stand in rooms of a storey.
+
+    A column seen from few sides bounds too little for the storey, but fills its pixels up to the ceiling.
+    """
+    rooms = unary_union([room.outline for room in storey.rooms])
+    taken = unary_union([wall.outline for wall in storey.walls])
+    return [
+        wall
+        for wall in walls
+        if wall.kind == "column"
+        and (wall.coverage or 0.0) >= settings.column_coverage
+        and rooms.contains(wall.outline)
+        and not taken.intersects(wall.outline)
     ]
 
 
