@@ -31,6 +31,8 @@ class SitePlanSettings:
         What counts as wall.
     refine : bool
         Whether outlines are moved from the edges of pixels to the faces of the walls.
+    storey : bool
+        Whether faces and floor of the storey decide where a ceiling was seen, if outlines are refined.
     with_axes, with_rooms : bool
         Whether axes and rooms are looked for.
     density, walls, faces, axes, rooms, storeys
@@ -43,6 +45,7 @@ class SitePlanSettings:
     height_range: HeightRange = field(default_factory=HeightRange)
     wall_parameters: WallParameters = field(default_factory=WallParameters)
     refine: bool = True
+    storey: bool = True
     with_axes: bool = False
     with_rooms: bool = False
     density: DensitySettings = field(default_factory=DensitySettings)

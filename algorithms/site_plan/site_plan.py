@@ -144,6 +144,8 @@ def _on_faces(
         return found, 0, None
     chosen = progress.part(0.6, 0.7), settings.faces
     walls, foliage = refine_on_points(found.walls, found.image.walls, points, density, *chosen)
+    if not settings.storey:
+        return replace(found, walls=walls), foliage, None
     try:
         storey = plan_storey(points, settings.storeys, progress.part(0.7, 0.9))
     except InputError as error:

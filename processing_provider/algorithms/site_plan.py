@@ -25,6 +25,7 @@ from ..parameters.rooms import (
     ROOM_NUMBERS,
     ROOMS,
     SECTION,
+    STOREY,
     log_rooms,
     room_numbers,
     room_writers,
@@ -91,6 +92,7 @@ class SitePlanAlgorithm(Algorithm):
         neighbourhood(advanced=True),
         *HEIGHT_PARAMETERS,
         DOOR_WIDTH,
+        STOREY,
     )
     destinations = (
         density_destination(optional=True),
@@ -138,6 +140,7 @@ def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
         height_range=height_range(values),
         wall_parameters=wall_parameters(values),
         refine=values["REFINE"],
+        storey=values["STOREY"],
         with_axes=values["AXES"] is not None,
         with_rooms=values["ROOMS"] is not None,
         rooms=RoomSettings(door_width_m=values["DOOR_WIDTH"]),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from ..log import Log
 from .destinations import HtmlDestination, LineDestination, PolygonDestination, Writer
-from .parameter import Number
+from .parameter import Flag, Number
 
 if TYPE_CHECKING:
     from ...algorithms.site_plan.results import SitePlan
@@ -22,6 +22,15 @@ DOOR_WIDTH = Number(
     default=1.3,
     minimum=0.1,
     maximum=20,
+    advanced=True,
+)
+
+STOREY = Flag(
+    "STOREY",
+    "Plan of the storey under a ceiling",
+    "Where a ceiling was seen, walls and rooms come from the faces and the floor of the storey, also behind "
+    "furniture and across glazing. No uses the density image everywhere. Needs REFINE.",
+    default=True,
     advanced=True,
 )
 

@@ -90,7 +90,7 @@ CONTRACT = {
     ),
     "extractwalls": ({"INPUT", "PLAN", "WALLS"} | WALL_PARAMETERS, {"PLAN", "WALLS"} | WALL_NUMBERS),
     "siteplan": (
-        {"INPUT", "REFINE", "SECTION", "CRS", "DENSITY", "PLAN", "WALLS", "DOOR_WIDTH", "HEIGHTS", *HEIGHTS}
+        {"INPUT", "REFINE", "STOREY", "CRS", "DENSITY", "PLAN", "WALLS", "HEIGHTS", *HEIGHTS}
         | {*NUMBERS}
         | FURTHER_FILES,
         {"DENSITY", "PLAN", "WALLS", "POINTS_IN", "POINTS_KEPT", "ROOM_COUNT", "ROOM_AREA"}

@@ -163,7 +163,7 @@ def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSetting
     return [
         wall
         for wall in walls
-        if wall.kind == "column"
+        if wall.outline.minimum_rotated_rectangle.area <= settings.column_m2
         and (wall.coverage or 0.0) >= settings.column_coverage
         and rooms.contains(wall.outline)
         and not taken.intersects(wall.outline)

@@ -226,6 +226,7 @@ class JoiningSettings:
     wall_reach_m: float = judged(1.0, "Walls farther from every room under a ceiling stand outside.")
     margin_m: float = physical(0.5, "Half a thick wall: the density image would draw its other half again.")
     shortest_rest_m: float = judged(0.5, "Shorter ends are what the margin left of walls of the storey.")
+    column_m2: float = judged(1.0, "Larger things that stand free are furniture, or walls of the storey.")
     column_coverage: float = judged(0.4, "Two of the four sides of a column are seen from one station.")
     own_share: float = judged(0.5, "A closed space belongs to the side on which most of it lies.")
 

@@ -16,7 +16,7 @@ from .evidence import UprightsAlong
 from .footprint import Footprint, find_footprint
 from .free_faces import clear_before, free_faces, screens
 from .levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
-from .outlines import parts_of, united
+from .outlines import parts_of, sound, united
 from .regular import share_lines, square_up
 from .roof import near_roof, roofed
 from .room_cells import Room, find_rooms
@@ -25,6 +25,9 @@ from .sheets import Sheet, find_sheets
 from .voxels import Voxels, make_voxels
 from .wall_bodies import behind, wall_bodies
 from .walls import Wall, describe_walls
+
+LINED_M = 0.005
+"""A face so near to the edge of a parapet is its own, metres."""
 
 
 @dataclass(frozen=True)
@@ -179,7 +182,17 @@ def _walls(
     if len(thin):
         solid = united([solid, behind(thin, settings.walls.strip_m)])
     bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
-    return describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
+    walls = describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
+    kept = [wall for wall in walls if not _lines_parapet(wall, parapets)]
+    return [replace(wall, outline=sound(wall.outline)) for wall in kept]
+
+
+def _lines_parapet(wall: Wall, parapets: list[Polygon]) -> bool:
+    """Return whether a wall of which one face was seen is the other face of a parapet."""
+    if wall.kind == "parapet" or wall.thickness is not None:
+        return False
+    edge = wall.outline.buffer(LINED_M)
+    return any(edge.intersection(parapet.boundary).length > wall.outline.length / 3 for parapet in parapets)
 
 
 def _limits(division: Division, settings: StoreySettings) -> list[LineString]:

@@ -1,8 +1,9 @@
 """Outlines without what says nothing."""
 
 import pytest
-from ichnograph.algorithms.site_plan.storeys.outlines import parts_of, tidy, united
+from ichnograph.algorithms.site_plan.storeys.outlines import parts_of, sound, tidy, united
 from shapely.geometry import GeometryCollection, LineString, MultiPolygon, Point, Polygon, box
+from shapely.ops import polygonize, unary_union
 
 
 def test_tiny_edges_and_idle_corners_go():
@@ -38,3 +39,11 @@ def test_a_union_keeps_areas_only():
     assert united([mixed, box(1, 0, 2, 1)]).area == pytest.approx(2)
     assert united([LineString([(0, 0), (1, 1)])]).is_empty
     assert united([]).is_empty
+
+
+def test_an_outline_that_crosses_itself_keeps_its_largest_part():
+    bow = Polygon([(0, 0), (4, 2), (4, 0), (0, 1)])
+    assert sound(bow).is_valid
+    assert sound(bow).area == pytest.approx(max(part.area for part in polygonize(unary_union(bow.boundary))))
+    square = box(0, 0, 1, 1)
+    assert sound(square) is square
