@@ -77,12 +77,12 @@ class StoreyPlan:
     noise_m: float
 
     def moved(self, x: float, y: float) -> "StoreyPlan":
-        """Return the plan shifted in plan, metres."""
+        """Return the plan shifted in plan, metres; the rounding of large coordinates may spoil an outline."""
         shift = np.array([x, y])
         return replace(
             self,
-            walls=tuple(replace(wall, outline=translate(wall.outline, x, y)) for wall in self.walls),
-            rooms=tuple(replace(room, outline=translate(room.outline, x, y)) for room in self.rooms),
+            walls=tuple(replace(wall, outline=sound(translate(wall.outline, x, y))) for wall in self.walls),
+            rooms=tuple(replace(room, outline=sound(translate(room.outline, x, y))) for room in self.rooms),
             limits=tuple(translate(line, x, y) for line in self.limits),
             left_out=tuple(replace(item, line=translate(item.line, x, y)) for item in self.left_out),
             sheets=tuple(
@@ -183,8 +183,7 @@ def _walls(
         solid = united([solid, behind(thin, settings.walls.strip_m)])
     bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     walls = describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
-    kept = [wall for wall in walls if not _lines_parapet(wall, parapets)]
-    return [replace(wall, outline=sound(wall.outline)) for wall in kept]
+    return [wall for wall in walls if not _lines_parapet(wall, parapets)]
 
 
 def _lines_parapet(wall: Wall, parapets: list[Polygon]) -> bool:
