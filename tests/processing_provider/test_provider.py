@@ -90,7 +90,8 @@ CONTRACT = {
     ),
     "extractwalls": ({"INPUT", "PLAN", "WALLS"} | WALL_PARAMETERS, {"PLAN", "WALLS"} | WALL_NUMBERS),
     "siteplan": (
-        {"INPUT", "REFINE", "STOREY", "CRS", "DENSITY", "PLAN", "WALLS", "HEIGHTS", *HEIGHTS}
+        {"INPUT", "REFINE", "STOREY", "SECTION", "CRS", "DENSITY", "PLAN", "WALLS", "DOOR_WIDTH"}
+        | {"HEIGHTS", *HEIGHTS}
         | {*NUMBERS}
         | FURTHER_FILES,
         {"DENSITY", "PLAN", "WALLS", "POINTS_IN", "POINTS_KEPT", "ROOM_COUNT", "ROOM_AREA"}
