@@ -105,5 +105,6 @@ def cut(
 
 def _pixels(tile: Tile, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Return the row and the column of each point, rows counted from the bottom."""
-    column, row = ((tile.xyz[:, i] + tile.corner[i] - grid.corner[i]) // grid.step for i in (0, 1))
+    xy = tile.xyz[:, :2].astype(np.int64) + tile.corner
+    column, row = ((xy - grid.corner[:2]) // grid.step).T
     return row, column
