@@ -33,14 +33,15 @@ def polygons_between(
         What lies outside is cut off; world coordinates.
     settings : BridgeSettings
     """
-    outer, *holes = (_valid(Polygon(ring) if len(ring) >= 3 else Polygon()) for ring in rings)
+    outer, *holes = (made_valid(Polygon(ring) if len(ring) >= 3 else Polygon()) for ring in rings)
     shape = outer.symmetric_difference(unary_union(holes)) if holes else outer
-    whole = _valid(translate(shape, *origin)).intersection(within)
+    whole = made_valid(translate(shape, *origin)).intersection(within)
     parts = _joined(whole, settings)
     return parts[:1] + [part for part in parts[1:] if part.length >= settings.shortest_m]
 
 
-def _valid(geometry: BaseGeometry) -> BaseGeometry:
+def made_valid(geometry: BaseGeometry) -> BaseGeometry:
+    """Return a geometry, repaired if it crosses or touches itself."""
     return geometry if geometry.is_valid else make_valid(geometry).buffer(0)
 
 

@@ -6,9 +6,8 @@ import numpy as np
 from shapely.geometry import LinearRing, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
-from shapely.validation import make_valid
 
-from ...geometry.polygons import polygons_of
+from ...geometry.polygons import made_valid, polygons_of
 from .settings import WallSettings
 
 
@@ -54,6 +53,4 @@ def _tidied(ring: LinearRing, settings: WallSettings) -> np.ndarray:
 
 def sound(outline: Polygon) -> Polygon:
     """Return an outline, or the largest part of one that crosses or touches itself."""
-    if outline.is_valid:
-        return outline
-    return max(polygons_of(make_valid(outline).buffer(0)), key=lambda part: part.area, default=outline)
+    return max(polygons_of(made_valid(outline)), key=lambda part: part.area, default=outline)
