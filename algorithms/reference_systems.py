@@ -3,7 +3,7 @@
 rasterio's CRS is the type that readers return and writers take; pyproj knows what kind of system it is.
 """
 
-from typing import Optional
+from typing import Any, Optional
 
 import pyproj
 from pyproj.exceptions import ProjError
@@ -82,8 +82,17 @@ def _plane(definition: pyproj.CRS) -> Optional[pyproj.CRS]:
     if definition.is_bound or not level or len(definition.axis_info) < 3:
         return None
     parts = definition.to_json_dict()
-    parts["coordinate_system"]["axis"] = parts["coordinate_system"]["axis"][:2]
+    _leave_out_heights(parts)
+    base = parts.get("base_crs", {})
+    if len(base.get("coordinate_system", {}).get("axis", ())) > 2:
+        _leave_out_heights(base)
     return pyproj.CRS.from_json_dict(parts)
+
+
+def _leave_out_heights(parts: dict[str, Any]) -> None:
+    """Leave out the third axis of a system in JSON, and the code, which is that of three axes."""
+    parts["coordinate_system"]["axis"] = parts["coordinate_system"]["axis"][:2]
+    parts.pop("id", None)
 
 
 def is_local(crs: CRS) -> bool:
