@@ -44,8 +44,9 @@ def read_points(
             rgb.append((chunk.rgb / np.float32(257)).astype(np.float32))
         if has_intensity and chunk.intensity is not None:
             intensity.append(chunk.intensity.astype(np.float32))
-        within = np.zeros(len(chunk.xyz), np.int64) if chunk.scan is None else chunk.scan
-        scans.append(number * (1 << 32) + within)
+        within = np.zeros(len(chunk.xyz)) if chunk.scan is None else chunk.scan
+        # The stations of LAS are 16-bit numbers, which cannot hold the sum.
+        scans.append(number * (1 << 32) + within.astype(np.int64))
     _, scan = np.unique(np.concatenate(scans), return_inverse=True)
     points = Points(
         np.concatenate(xyz),
