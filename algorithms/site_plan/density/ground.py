@@ -30,8 +30,18 @@ class LowestSurface:
         self.clear = np.zeros(grid.shape, bool)
 
     def add(self, tile: Tile) -> None:
-        """Fill in the cells of a tile."""
-        side = tile.edge // self.grid.step
+        """Fill in the cells of a tile.
+
+        Raises
+        ------
+        ValueError
+            If a cell would reach into the next tile.
+        """
+        side, rest = divmod(tile.edge, self.grid.step)
+        if rest:
+            raise ValueError(
+                f"cell_m: cells of {self.settings.cell_m} m do not divide a tile into whole cells."
+            )
         column, row = ((tile.corner[i] - self.grid.corner[i]) // self.grid.step for i in (0, 1))
         cells = slice(row, row + side), slice(column, column + side)
         own = self.settings

@@ -38,7 +38,10 @@ class HeightWindowSettings:
 class GroundSettings:
     """The surface from which heights are counted."""
 
-    cell_m: float = physical(0.5, "Wider than most walls are thick, so that ground is seen beside them.")
+    cell_m: float = physical(
+        0.5,
+        "Wider than most walls are thick, so that ground is seen beside them; a tile holds whole cells.",
+    )
     layer_m: float = judged(0.1, "Higher than ground is rough within a cell.")
     support_share: float = judged(0.01, "Single points below the ground are reflections.")
     support_points: int = judged(5, "Enough in any case: under a crown few points reach the ground.")
