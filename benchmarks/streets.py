@@ -32,6 +32,7 @@ from ichnograph.tests.scenes.facades.streets.judging import (
     SeenPair,
     StreetJudgement,
     judge_street,
+    nothing_found,
 )
 
 from .facade import PLACE, draw, points_of
@@ -70,17 +71,12 @@ def _run(name: str, spacing: float, seed: int, arguments: argparse.Namespace) ->
     try:
         elevation = measure_facade(points, FacadeSettings())
     except NothingFoundError:
-        return Run(scene, _nothing(scene), time.perf_counter() - started, len(points.xyz))
+        return Run(scene, nothing_found(scene), time.perf_counter() - started, len(points.xyz))
     seconds = time.perf_counter() - started
     judgement = judge_street(elevation, scene)
     if arguments.pictures:
         _draw(scene, elevation, judgement, points, f"{name}_{spacing * 1000:g}mm_{seed}.png")
     return Run(scene, judgement, seconds, len(points.xyz))
-
-
-def _nothing(scene: FacadeScene) -> StreetJudgement:
-    parallel = tuple(true for true in scene.details if not true.turned)
-    return StreetJudgement((), parallel, (), (), False)
 
 
 def _draw(

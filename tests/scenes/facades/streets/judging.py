@@ -8,7 +8,7 @@ from ichnograph.algorithms.facade.elevation import COLOURED, PROJECTION, Detail,
 from shapely.geometry import Polygon
 
 from ..caster import cast, flatten
-from ..judging import ALIKE, Pair, in_scene, iou
+from ..judging import ALIKE, Judgement, Pair, in_scene, iou
 from ..scene import FacadeScene
 from .openings import TrueOpening
 
@@ -32,33 +32,35 @@ class SeenPair(Pair):
 
     Attributes
     ----------
+    true : TrueOpening
     seen : tuple of 4 float
         Shares of the wall along the left, bottom, right and top edge that a station saw; nan along the
         ground.
     """
 
+    true: TrueOpening
     seen: tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
-class StreetJudgement:
+class StreetJudgement(Judgement):
     """The openings of an elevation compared with the true ones.
 
     Attributes
     ----------
     pairs : tuple of SeenPair
     missed : tuple of TrueOpening
+    invented : tuple of Detail
     hidden : tuple of TrueOpening
         Not found, and mostly not seen.
-    invented : tuple of Detail
     right_side : bool
         Whether the facade is drawn from outside.
     """
 
     pairs: tuple[SeenPair, ...]
     missed: tuple[TrueOpening, ...]
-    hidden: tuple[TrueOpening, ...]
     invented: tuple[Detail, ...]
+    hidden: tuple[TrueOpening, ...]
     right_side: bool
 
 
@@ -89,7 +91,12 @@ def judge_street(elevation: Elevation, scene: FacadeScene) -> StreetJudgement:
         if all(iou(outlines[number], true.outline) < TOUCHES for true in scene.details)
     ]
     turned = (elevation.frame.azimuth - scene.frame.azimuth + 180) % 360 - 180
-    return StreetJudgement(tuple(pairs), tuple(missed), tuple(hidden), tuple(invented), abs(turned) < 90)
+    return StreetJudgement(tuple(pairs), tuple(missed), tuple(invented), tuple(hidden), abs(turned) < 90)
+
+
+def nothing_found(scene: FacadeScene) -> StreetJudgement:
+    """Return the judgement of a street in which no facade was found."""
+    return StreetJudgement((), tuple(true for true in scene.details if not true.turned), (), (), False)
 
 
 def seen(scene: FacadeScene, places: np.ndarray, layer: float) -> np.ndarray:
