@@ -12,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade facade-peers constants house sensitivity house-picture
+.PHONY: facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -120,6 +120,9 @@ registration-chain: setup  ## Print whether errors at the end of a chain of scan
 
 facade: setup  ## Print how well the details of simulated facades are measured
 	$(RUN) -m ichnograph.benchmarks.facade
+
+streets: setup  ## Print how well openings are found and measured in simulated streets
+	$(RUN) -m ichnograph.benchmarks.streets
 
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers

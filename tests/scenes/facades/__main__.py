@@ -1,6 +1,7 @@
-"""Write a simulated scan of a facade as LAZ, and the true sizes of its details beside it.
+"""Write a simulated scan of a facade or a street as LAZ, and the true sizes of its details beside it.
 
 python3 -m ichnograph.tests.scenes.facades medina out.laz --spacing 0.01 --truth lengths.csv
+python3 -m ichnograph.tests.scenes.facades terrace out.laz --seed 3 --noise 0.004
 """
 
 import argparse
@@ -12,6 +13,9 @@ import laspy
 import numpy as np
 
 from . import FACADES, FacadeScan, FacadeScene
+from .streets import STREETS
+
+ALL = {**FACADES, **STREETS}
 
 
 def write_laz(path: Path, scan: FacadeScan, crs: Optional[str] = None) -> None:
@@ -44,7 +48,7 @@ def write_truth(path: Path, scene: FacadeScene) -> None:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="ichnograph.tests.scenes.facades", description=__doc__)
-    parser.add_argument("facade", choices=sorted(FACADES))
+    parser.add_argument("facade", choices=sorted(ALL))
     parser.add_argument("output", type=Path, help="the .laz or .las file to write")
     parser.add_argument("--spacing", type=float, default=0.01, help="of the points on the wall, metres")
     parser.add_argument("--noise", type=float, default=0.002, help="metres along the ray")
@@ -59,7 +63,7 @@ def main() -> None:
     """Scan the facade named on the command line."""
     arguments = _arguments()
     angle, *shift = arguments.move
-    scene = FACADES[arguments.facade](arguments.seed).moved(angle, tuple(shift))
+    scene = ALL[arguments.facade](arguments.seed).moved(angle, tuple(shift))
     write_laz(arguments.output, scene.scan(arguments.spacing, arguments.noise, arguments.seed), arguments.crs)
     if arguments.truth:
         write_truth(arguments.truth, scene)

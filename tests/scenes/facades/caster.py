@@ -1,6 +1,7 @@
 """Rays from a scanner, and the objects that they meet: planar panels and spheres of leaves."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numba import njit
@@ -8,6 +9,11 @@ from shapely.geometry import Polygon
 
 LEAF = -2
 NOTHING = -1
+CELLS = 48
+"""Of the slopes of rays, in each direction."""
+
+SLACK = 1e-6
+"""Of the slopes of rays, far beyond rounding."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +42,7 @@ class Panel:
     reflectance: float
     returns: float = 1.0
 
-    @property
+    @cached_property
     def normal(self) -> np.ndarray:
         return np.cross(*self.axes)
 
@@ -101,19 +107,92 @@ def cast(origin: np.ndarray, directions: np.ndarray, things: Things, seed: int) 
     things : Things
     seed : int
     """
+    windows = _windows(origin, things)
+    corner, size, heads, listed = _cells(windows)
     return _cast(
-        origin, directions, things.frames, things.boxes, things.starts, things.edges, things.returns,
-        things.leaves, seed,
+        origin, directions, things.frames, things.boxes, windows, corner, size, heads, listed, things.starts,
+        things.edges, things.returns, things.leaves, seed,
     )  # fmt: skip
 
 
+def _windows(origin: np.ndarray, things: Things) -> np.ndarray:
+    """Return the limits of u / -w and v / -w of rays that can meet each panel, shape (n, 4).
+
+    They spare most rays the intersection with most panels. A panel that reaches beside the origin or behind
+    it has no limits.
+    """
+    low, high = things.boxes[:, :2], things.boxes[:, 2:]
+    ends = [(low, low), (low, high), (high, low), (high, high)]
+    windows = np.tile([-np.inf, -np.inf, np.inf, np.inf], (len(low), 1))
+    corners = np.array([
+        things.frames[:, 0] + a[:, :1] * things.frames[:, 1] + b[:, 1:] * things.frames[:, 2] - origin
+        for a, b in ends
+    ])  # fmt: skip
+    ahead = np.all(corners[..., 2] < -0.01, axis=0)
+    slopes = corners[:, ahead, :2] / -corners[:, ahead, 2:]
+    windows[ahead] = np.hstack([slopes.min(axis=0) - SLACK, slopes.max(axis=0) + SLACK])
+    return windows
+
+
+def _cells(windows: np.ndarray) -> tuple:
+    """Return the panels that the rays of each cell of slopes can meet, in their order.
+
+    Returns
+    -------
+    corner, size : ndarray, shape (2,)
+        Of the cells.
+    heads : ndarray, shape (CELLS**2 + 2,)
+        Where the list of each cell starts; the last one is of rays that lead away.
+    listed : ndarray
+        The lists, one after the other.
+    """
+    limited = windows[np.isfinite(windows).all(axis=1)]
+    corner, end = np.zeros(2), np.ones(2)
+    if len(limited):
+        corner, end = limited[:, :2].min(axis=0), limited[:, 2:].max(axis=0)
+    size = (end - corner) / CELLS
+    low = np.clip(np.floor((windows[:, :2] - corner) / size), 0, CELLS - 1)
+    high = np.clip(np.floor((windows[:, 2:] - corner) / size), 0, CELLS - 1)
+    cells = np.arange(CELLS)[:, None]
+    across, up = ((cells >= low[:, axis]) & (cells <= high[:, axis]) for axis in (0, 1))
+    cell, panel = np.nonzero((across[:, None] & up[None, :]).reshape(CELLS**2, -1))
+    heads = np.searchsorted(cell, np.arange(CELLS**2 + 1))
+    listed = np.concatenate([panel, np.arange(len(windows))])
+    return corner, size, np.append(heads, len(listed)), listed
+
+
 @njit(cache=True, nogil=True)
-def _cast(origin, directions, frames, boxes, starts, edges, returns, leaves, seed):
+def _cast(
+    origin,
+    directions,
+    frames,
+    boxes,
+    windows,
+    corner,
+    size,
+    heads,
+    listed,
+    starts,
+    edges,
+    returns,
+    leaves,
+    seed,
+):
     np.random.seed(seed)
     reach, met = np.full(len(directions), np.inf), np.full(len(directions), NOTHING)
     for ray in range(len(directions)):
         d = directions[ray]
-        for panel in range(len(frames)):
+        # Comparisons with nan are false, so rays that lead away are tried with every panel.
+        rightward, upward, cell = np.nan, np.nan, CELLS * CELLS
+        if d[2] < 0:
+            rightward, upward = d[0] / -d[2], d[1] / -d[2]
+            across = min(max((rightward - corner[0]) / size[0], 0.0), CELLS - 1.0)
+            up = min(max((upward - corner[1]) / size[1], 0.0), CELLS - 1.0)
+            cell = int(across) * CELLS + int(up)
+        for panel in listed[heads[cell] : heads[cell + 1]]:
+            window = windows[panel]
+            if rightward < window[0] or upward < window[1] or rightward > window[2] or upward > window[3]:
+                continue
             place, first, second, normal = frames[panel]
             slope = d[0] * normal[0] + d[1] * normal[1] + d[2] * normal[2]
             if abs(slope) < 1e-12:

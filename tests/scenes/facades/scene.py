@@ -115,6 +115,9 @@ class FacadeScene:
     gains : tuple of float
         Of the intensity of each station's scanner.
     frame : Frame
+    bulge : tuple of 2 float
+        How far the wall stands out in its middle, and how far its top leans out (m); all that is scanned
+        moves with it.
     """
 
     name: str
@@ -126,6 +129,7 @@ class FacadeScene:
     stations: np.ndarray
     gains: tuple[float, ...]
     frame: Frame = field(default_factory=lambda: Frame(np.zeros(3), 180.0, 0.0))
+    bulge: tuple[float, float] = (0.0, 0.0)
 
     def moved(self, angle_degrees: float, shift_xyz: tuple[float, float, float]) -> "FacadeScene":
         """Return the scene rotated anticlockwise about the world's z axis, then shifted (m)."""
@@ -172,16 +176,26 @@ class FacadeScene:
         rgb, intensity = self._seen(station, directions, reach, met, texture)
         split = np.flatnonzero(_at_edges(met.reshape(-1, columns)).ravel())
         self._mix(station, directions, split, things, texture, generator, (reach, rgb, intensity))
-        back = np.flatnonzero(np.isfinite(reach))
+        back = np.flatnonzero(np.isfinite(reach) & (intensity > 0))
         reach, rgb, intensity = reach[back], rgb[back], intensity[back]
         reach = reach + range_noise * generator.normal(size=len(reach))
         rgb = rgb + generator.normal(0, 5.0, rgb.shape)
         intensity = gain * intensity * (1 + 0.04 * generator.normal(size=len(reach)))
         return (
-            station + reach[:, None] * directions[back],
+            self._bent(station + reach[:, None] * directions[back]),
             np.clip(np.rint(rgb), 0, 255).astype(np.uint8),
             np.clip(np.rint(65535 * intensity), 1, 65535).astype(np.uint16),
         )
+
+    def _bent(self, uvw: np.ndarray) -> np.ndarray:
+        """Return points moved with the wall's bulge and lean."""
+        out, lean = self.bulge
+        if not out and not lean:
+            return uvw
+        left, bottom, right, top = self.wall.bounds
+        across = np.clip((uvw[:, 0] - left) / (right - left), 0, 1)
+        up = np.clip((uvw[:, 1] - bottom) / (top - bottom), 0, 1)
+        return uvw + np.outer(16 * out * across * (1 - across) * up * (1 - up) + lean * up, [0.0, 0.0, 1.0])
 
     def _directions(self, station, step, generator):
         """Return a grid of rays that covers the facade with a margin, column by column."""
