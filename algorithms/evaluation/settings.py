@@ -58,3 +58,12 @@ class EvaluationSettings:
     outlines: OutlineSettings = OutlineSettings()
     comparison: ComparisonSettings = ComparisonSettings()
     drawn_plan: DrawnPlanSettings = DrawnPlanSettings()
+
+
+@dataclass(frozen=True)
+class LengthSettings:
+    """How lengths of two lists are compared."""
+
+    same_unit: float = judged(
+        0.05, "Half of the lengths of a schedule and a tape agree to less, so that their ratio shows a unit."
+    )

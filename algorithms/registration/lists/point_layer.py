@@ -10,10 +10,10 @@ import fiona
 import numpy as np
 from fiona.errors import FionaError
 
-from ...clouds.formats.normals import simplified
 from ...errors import InputError
 from ...reference_systems import parse_layer_wkt
-from .point_rows import ROLES, Rows
+from ...tables.column_names import POINTS, simplified
+from .point_rows import Rows
 
 Attributes = dict[str, Any]
 Feature = tuple[Optional[tuple[float, ...]], Attributes]
@@ -163,7 +163,7 @@ def _fields(attributes: list[Attributes], role: str) -> list[str]:
     found: dict[str, str] = {}
     for field in attributes[0]:
         found.setdefault(simplified(field), field)
-    return [found[alias] for alias in ROLES[role] if alias in found]
+    return [found[alias] for alias in POINTS[role] if alias in found]
 
 
 def _names(source: str, attributes: list[Attributes]) -> Optional[tuple[str, ...]]:
