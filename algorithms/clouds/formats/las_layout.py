@@ -46,8 +46,8 @@ def count_warning(path: Path) -> tuple[str, ...]:
     if layout.states_count:
         return ()
     return (
-        f"The header of {path} announces no points; the {layout.count} that follow it were read, so check that the "
-        "file is complete.",
+        f"The header of {path} announces no points; the {layout.count} that follow it were read, so check "
+        "that the file is complete.",
     )
 
 
