@@ -91,7 +91,8 @@ def cut_boundary(
     if shape.length / step_m > most_pieces:
         raise InputError(
             f"The outlines are {shape.length / 1000:.0f} km long, more than "
-            f"{most_pieces * step_m / 1000:.0f} km; choose the walls of one site, and check that their coordinates are metres."
+            f"{most_pieces * step_m / 1000:.0f} km; choose the walls of one site, and check "
+            "that their coordinates are metres."
         )
     corners = [np.asarray(line.coords)[:, :2] for line in _lines(shape) if not line.is_empty]
     if not corners:

@@ -155,16 +155,12 @@ class LasSource(Source):
 def is_usable(points: np.ndarray) -> np.ndarray:
     """Return which raw records are neither flagged as withheld nor classified as noise; bool, shape (n,)."""
     if "raw_classification" in points.dtype.names:
-        flags, classes, withheld = (
-            points["raw_classification"],
-            points["raw_classification"] & 0b1_1111,
-            0b1000_0000,
-        )
-        noise = (LOW_NOISE,)
+        flags, withheld = points["raw_classification"], 0b1000_0000
+        noise = flags & 0b1_1111 == LOW_NOISE
     else:
-        flags, classes, withheld = points["classification_flags"], points["classification"], 0b100
-        noise = (LOW_NOISE, HIGH_NOISE)
-    return ~(np.isin(classes, noise) | (flags & withheld > 0))
+        flags, withheld = points["classification_flags"], 0b100
+        noise = np.isin(points["classification"], (LOW_NOISE, HIGH_NOISE))
+    return ~(noise | (flags & withheld > 0))
 
 
 def _left_out(path: Path, share: float) -> tuple[str, ...]:

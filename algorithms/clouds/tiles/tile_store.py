@@ -161,8 +161,8 @@ def _full_disk_named() -> Iterator[None]:
         yield
     except OSError as error:
         raise InputError(
-            f"The temporary file of the points cannot be written or read ({error.strerror or error}); free some "
-            "space in the temporary folder, or set TMPDIR to a folder on a larger disk."
+            f"The temporary file of the points cannot be written or read ({error.strerror or error}); free "
+            "some space in the temporary folder, or set TMPDIR to a folder on a larger disk."
         ) from error
 
 

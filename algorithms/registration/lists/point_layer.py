@@ -62,8 +62,8 @@ def read_features(
             raise InputError(f"Feature {number} of {source} is not a single point; remove it or split it up.")
         if number > settings.most_points:
             raise InputError(
-                f"{source} has more than {settings.most_points} points, too many for a list; choose the list, "
-                "not a cloud."
+                f"{source} has more than {settings.most_points} points, too many for a list; choose the "
+                "list, not a cloud."
             )
         points.append(point)
         attributes.append(values)
