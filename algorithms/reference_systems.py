@@ -58,6 +58,22 @@ def parse_layer_wkt(wkt: str, owner: str) -> Optional[CRS]:
     return crs
 
 
+def chosen_system(wkt: str, parameter: str) -> CRS:
+    """Return the horizontal part of a system that the user chose.
+
+    Raises
+    ------
+    InputError
+        If it cannot be understood, or its heights are not in metres.
+    """
+    try:
+        return parse_wkt(wkt)
+    except ValueError as error:
+        raise InputError(
+            f"{parameter}: this coordinate reference system is not understood; choose one with an EPSG code."
+        ) from error
+
+
 def horizontal(crs: CRS) -> CRS:
     """Return `crs` without its heights.
 

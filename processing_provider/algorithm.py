@@ -221,5 +221,8 @@ def _plain_errors() -> Iterator[None]:
         raise QgsProcessingException(f"{error.what} cannot be {error.done}: {sentence}") from error
     except IchnographError as error:
         raise QgsProcessingException(str(error)) from error
+    except MemoryError as error:
+        sentence = "There is not enough memory; cut the input to the site, thin it, or close other programs."
+        raise QgsProcessingException(sentence) from error
     except ImportError as error:
         raise QgsProcessingException(explain_broken(error)) from error

@@ -15,7 +15,7 @@ PLUGIN = ("algorithms", "processing_provider")
 CHAPTERS = ("clouds", "registration", "site_plan", "facade", "evaluation")
 """Packages of `algorithms` that are about one task each."""
 
-SHARED = ("geometry", "reporting")
+SHARED = ("geometry", "tables", "reporting")
 """Packages of `algorithms` that every chapter may import."""
 
 FunctionNode = Union[ast.FunctionDef, ast.AsyncFunctionDef]

@@ -10,7 +10,7 @@ from rasterio.crs import CRS
 
 from ..errors import InputError
 from ..progress import Progress
-from ..reference_systems import horizontal, name_of, require_metres
+from ..reference_systems import horizontal, is_local, name_of, require_metres
 from .formats import format_of, readable_formats
 from .settings import ReadingSettings
 from .source import Chunk, Source, unreadable
@@ -153,6 +153,7 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if chosen is not None:
         chosen = horizontal(chosen)
         require_metres(chosen, "the cloud in the chosen coordinate reference system")
+        chosen = None if is_local(chosen) else chosen
     known = [(source.path, source.crs or chosen) for source in sources if source.crs or chosen]
     if not known:
         return None, (

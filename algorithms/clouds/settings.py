@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..settings import judged, physical
+from ..settings import judged, physical, statistical
 
 
 @dataclass(frozen=True)
@@ -10,12 +10,48 @@ class TextSettings:
     """How much of a text cloud is looked into before it is read, and how its columns are recognised."""
 
     sample_bytes: int = judged(
-        65_536,
-        "A thousand lines or more; fewer may lack the points by which ranges of colour and intensity are "
-        "recognised, more delay the opening.",
+        65_536, "A thousand lines or more show what the columns are; more delay the opening."
+    )
+    runs: int = judged(
+        64, "Spread over the file to find the ranges of colour and intensity, because its start may be dark."
     )
     numeric_share: float = judged(
         0.5, "A column holds numbers if most of its fields are, since single values may be missing."
+    )
+    unit_length: float = physical(
+        0.01, "Normals of two decimals differ by less from the length of 1; other triples of numbers by more."
+    )
+    fewest_for_agreement: int = statistical(100, "Correlations of fewer values scatter by more than a tenth.")
+    clearer_agreement: float = judged(
+        0.1, "Correlations of colours exceed those with intensity by more, or the order stays in doubt."
+    )
+
+
+@dataclass(frozen=True)
+class PrecisionSettings:
+    """Which steps of coordinates are said."""
+
+    coarsest_step_m: float = physical(
+        1e-3, "Scanners measure to a millimetre or two; coarser steps move the faces of walls."
+    )
+    single_share: float = statistical(
+        0.999, "Nearly all points of a file in single precision have its steps, of others a quarter."
+    )
+    fewest_points: int = statistical(
+        10, "The chance that as many points of full precision lie near steps is below one in a million."
+    )
+
+
+@dataclass(frozen=True)
+class PoseSettings:
+    """Which poses of scans are possible."""
+
+    farthest_m: float = physical(1e8, "Farther than any two points of the earth, by a factor of five.")
+    smallest_volume: float = physical(
+        1e-12, "The cube of 0.1 mm in a metre; no unit of length of scanners is smaller, and none 10 km."
+    )
+    orthogonal: float = judged(
+        2e-3, "Rotations of three decimals differ by less from orthogonal ones; damage and units by more."
     )
 
 
@@ -27,11 +63,14 @@ class ReadingSettings:
         10_000,
         "Enough to show the ranges of colour and intensity and the middle of the site; more delay opening.",
     )
-    las_runs: int = judged(
+    runs: int = judged(
         8, "Spread over the file, because its first points alone may all be dark or lie in one corner."
     )
-    las_run_points: int = judged(
+    run_points: int = judged(
         1000, "A run costs one seek and the decoding of a compressed chunk, whatever its length."
+    )
+    whole_points: int = judged(
+        100_000, "Read in a tenth of a second, so that a small file is examined as a whole."
     )
     text: TextSettings = TextSettings()
     chunk_points: int = judged(
@@ -75,6 +114,7 @@ class WritingSettings:
         1e-5,
         "At this step the 32 bits of LAS span 43 km; finer ones could not hold a site with distant points.",
     )
+    least_rounding_m: float = physical(1e-3, "Scanners measure to a millimetre or two.")
     text_decimals: int = judged(5, "Ten micrometres: coordinates of LAS files of a finest step survive.")
     normal_decimals: int = judged(6, "A direction to a millionth, finer than normals are estimated.")
     chunk_points: int = judged(

@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
+from ..errors import InputError
 from .settings import ComparisonSettings
 
 
@@ -77,8 +78,22 @@ class Boundary:
         return float(self.offsets[within][order][np.searchsorted(way, share * way[-1])])
 
 
-def cut_boundary(shape: BaseGeometry, step_m: float) -> Pieces:
-    """Return the boundary of polygons, or lines, in pieces of at most `step_m`."""
+def cut_boundary(
+    shape: BaseGeometry, step_m: float, most_pieces: int = ComparisonSettings.most_pieces
+) -> Pieces:
+    """Return the boundary of polygons, or lines, in pieces of at most `step_m`.
+
+    Raises
+    ------
+    InputError
+        If there would be more than `most_pieces`.
+    """
+    if shape.length / step_m > most_pieces:
+        raise InputError(
+            f"The outlines are {shape.length / 1000:.0f} km long, more than "
+            f"{most_pieces * step_m / 1000:.0f} km; choose the walls of one site, and check "
+            "that their coordinates are metres."
+        )
     corners = [np.asarray(line.coords)[:, :2] for line in _lines(shape) if not line.is_empty]
     if not corners:
         return Pieces(np.empty((0, 2)), np.empty((0, 2)), np.empty(0, dtype=int))

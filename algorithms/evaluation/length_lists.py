@@ -1,17 +1,17 @@
 """The lists of lengths that are compared: a schedule, and what was measured by hand."""
 
-import csv
 import math
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, Optional
+from typing import NamedTuple
 
 from ..errors import InputError
+from ..tables.column_names import LENGTHS, simplified
+from ..tables.named_table import NamedTable, read_named_table
 
 DIMENSIONS = ("width", "height", "sill")
 DEVIATIONS = {"width": "width_std", "height": "height_std"}
-LONG = ("id", "dimension", "length")
+NUMBERS = (*DIMENSIONS, *DEVIATIONS.values(), "length")
 
 
 class MeasuredLength(NamedTuple):
@@ -43,97 +43,87 @@ class LengthList:
     source : str
         What messages call it.
     lengths : tuple of MeasuredLength
+    warnings : tuple of str
     """
 
     source: str
     lengths: tuple[MeasuredLength, ...]
+    warnings: tuple[str, ...] = ()
 
 
 def read_schedule(path: Path) -> LengthList:
-    """Read a csv with id, width, height and sill, and width_std and height_std if there are any, in metres.
+    """Read a table with id, width, height and sill, and width_std and height_std if there are any, in metres.
 
     Raises
     ------
     InputError
         If the file cannot be read, lacks a column, or holds something that is not a number.
     """
+    table = read_named_table(path, LENGTHS, ("id", "width", "height"), NUMBERS)
     lengths = []
-    for row, line in _rows(path, ("id", "width", "height")):
+    for line in table.rows:
         for dimension in DIMENSIONS:
-            value = _number(path, line, dimension, row.get(dimension, ""))
-            if value is not None:
-                column = DEVIATIONS.get(dimension, "")
-                std = _number(path, line, column, row.get(column, ""))
-                lengths.append(MeasuredLength(row["id"], dimension, value, math.nan if std is None else std))
-    return LengthList(str(path), tuple(lengths))
+            value = _number(table, line, dimension, dimension)
+            if math.isfinite(value):
+                std = _number(table, line, DEVIATIONS.get(dimension, ""), dimension)
+                lengths.append(MeasuredLength(table.text(line, "id"), dimension, value, std))
+    return LengthList(str(path), tuple(lengths), _converted(table))
 
 
 def read_reference(path: Path) -> LengthList:
-    """Read lengths that were measured by hand, in metres.
+    """Read lengths that were measured by hand, in metres or in the unit that the header states.
 
     Parameters
     ----------
     path : Path
-        csv with id and some of width, height and sill, empty where not measured; or with id, dimension and
-        length. Separated by commas, or by semicolons, then also with decimal commas.
+        Table with id and some of width, height and sill, empty where not measured; or with id, dimension and
+        length. The names may be English, German, French, Italian or Spanish.
 
     Raises
     ------
     InputError
         If the file cannot be read, lacks a column, or holds something that is not a number.
     """
+    table = read_named_table(path, LENGTHS, ("id",), NUMBERS)
     lengths = []
-    for row, line in _rows(path, ("id",)):
-        for dimension, text in _dimensions(path, row, line):
-            value = _number(path, line, dimension, text)
-            if value is not None:
-                lengths.append(MeasuredLength(row["id"], dimension, value))
-    return LengthList(str(path), tuple(lengths))
+    for line in table.rows:
+        for dimension, role in _dimensions(table, line):
+            value = _number(table, line, role, dimension)
+            if math.isfinite(value):
+                lengths.append(MeasuredLength(table.text(line, "id"), dimension, value))
+    return LengthList(str(path), tuple(lengths), _converted(table))
 
 
-def _dimensions(path: Path, row: dict[str, str], line: int) -> list[tuple[str, str]]:
-    """Return the dimensions and lengths of a row, in whichever of the two layouts."""
-    if set(LONG) <= row.keys():
-        dimension = row["dimension"].lower()
-        if dimension not in DIMENSIONS:
+def _converted(table: NamedTable) -> tuple[str, ...]:
+    units = sorted({unit for role, unit in table.units.items() if table.metres(role) != 1})
+    return tuple(f"{table.path} gives lengths in {unit}; they were converted to metres." for unit in units)
+
+
+def _dimensions(table: NamedTable, line: int) -> list[tuple[str, str]]:
+    """Return the dimensions of a row and the columns that hold them, in whichever of the two layouts."""
+    if {"dimension", "length"} <= table.columns.keys():
+        written = table.text(line, "dimension")
+        dimension = next((name for name in DIMENSIONS if simplified(written) in LENGTHS[name]), None)
+        if dimension is None:
             raise InputError(
-                f"Line {line} of {path}: the dimension must be width, height or sill, not {dimension}."
+                f"Line {line} of {table.path}: the dimension must be width, height or sill, not {written}."
             )
-        return [(dimension, row["length"])]
-    pairs = [(dimension, row[dimension]) for dimension in DIMENSIONS if dimension in row]
+        return [(dimension, "length")]
+    pairs = [(dimension, dimension) for dimension in DIMENSIONS if dimension in table.columns]
     if not pairs:
         raise InputError(
-            f"{path} has no lengths; name its columns id, width, height and sill, or id, dimension and "
+            f"{table.path} has no lengths; name its columns id, width, height and sill, or id, dimension and "
             "length."
         )
     return pairs
 
 
-def _rows(path: Path, needed: Sequence[str]) -> Iterator[tuple[dict[str, str], int]]:
-    """Yield the rows of a csv by the names of its columns, in lower case, and their lines."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} cannot be read as a csv file ({error}); check the file.") from error
-    lines = text.splitlines()
-    separator = ";" if lines and ";" in lines[0] else ","
-    reader = csv.reader(lines, delimiter=separator)
-    header = [name.strip().lower() for name in next(reader, [])]
-    missing = [name for name in needed if name not in header]
-    if missing:
-        raise InputError(f"{path} has no column {' and no column '.join(missing)}; add or rename it.")
-    for fields in reader:
-        if any(field.strip() for field in fields):
-            yield dict(zip(header, (field.strip() for field in fields))), reader.line_num
-
-
-def _number(path: Path, line: int, name: str, text: Optional[str]) -> Optional[float]:
+def _number(table: NamedTable, line: int, role: str, name: str) -> float:
+    """Return a length in metres; nan if its field is empty or there is no such column."""
+    text = table.text(line, role)
     if not text:
-        return None
-    try:
-        value = float(text.replace(",", "."))
-    except ValueError:
-        value = math.nan
+        return math.nan
+    value = table.dialect.number(text) * table.metres(role)
     if not math.isfinite(value):
-        raise InputError(f"Line {line} of {path}: the {name} {text} is not a length in metres.")
+        raise InputError(f"Line {line} of {table.path}: the {name} {text} is not a length in metres.")
     return value

@@ -7,6 +7,10 @@ import numpy as np
 
 from ..errors import NothingFoundError
 from .length_lists import LengthList
+from .settings import LengthSettings
+
+UNITS = {"millimetres": 1000.0, "centimetres": 100.0, "decimetres": 10.0, "feet": 3.28084, "inches": 39.3701}
+"""How many there are in a metre."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +77,9 @@ class LengthComparison:
         return float(np.abs(self.differences).max())
 
 
-def compare_lengths(schedule: LengthList, reference: LengthList) -> LengthComparison:
+def compare_lengths(
+    schedule: LengthList, reference: LengthList, settings: LengthSettings = LengthSettings()
+) -> LengthComparison:
     """Pair the lengths of a reference with those of a schedule by id and dimension.
 
     Raises
@@ -94,4 +100,21 @@ def compare_lengths(schedule: LengthList, reference: LengthList) -> LengthCompar
             f"{schedule.source} has no length of {reference.source}; use the ids of the schedule in both."
         )
     warnings = (f"{schedule.source} has no {', no '.join(unknown)}.",) if unknown else ()
-    return LengthComparison(tuple(lengths), warnings)
+    doubt = _doubtful_unit(schedule.source, reference.source, lengths, settings)
+    return LengthComparison(tuple(lengths), (*schedule.warnings, *reference.warnings, *doubt, *warnings))
+
+
+def _doubtful_unit(
+    schedule: str, reference: str, lengths: list[Length], settings: LengthSettings
+) -> tuple[str, ...]:
+    """Return a sentence if one list seems to be in another unit than metres."""
+    ratios = [item.manual / item.automatic for item in lengths if item.automatic and item.manual]
+    ratio = abs(float(np.median(ratios))) if ratios else 1.0
+    for unit, in_metre in UNITS.items():
+        for source, other, times in ((reference, schedule, ratio), (schedule, reference, 1 / ratio)):
+            if abs(times / in_metre - 1) < settings.same_unit:
+                return (
+                    f"The lengths of {source} are about {times:.0f} times those of {other}, as if they were "
+                    f"in {unit}; write metres, or the unit in the header, as 'width [mm]'.",
+                )
+    return ()

@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from ..files import atomic_output
+from ..tables.spreadsheet import safe_cell
 from .lengths import LengthComparison
 
 COLUMNS = ("id", "dimension", "automatic", "manual", "difference", "std")
@@ -19,7 +20,7 @@ def write_table(path: Path, comparison: LengthComparison) -> None:
         If the file cannot be written.
     """
     rows = [
-        (item.id, item.dimension, item.automatic, item.manual, round(item.difference, 5), item.std)
+        (safe_cell(item.id), item.dimension, item.automatic, item.manual, round(item.difference, 5), item.std)
         for item in comparison.lengths
     ]
     with atomic_output(path) as temporary:

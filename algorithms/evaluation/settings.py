@@ -27,6 +27,9 @@ class ComparisonSettings:
         0.02,
         "Pieces this short find the end of an error to a fraction of a wall's width; shorter ones cost time.",
     )
+    most_pieces: int = physical(
+        5_000_000, "100 km of outlines in pieces of 2 cm, which take about 1 GB of memory; no site has more."
+    )
     neighbours: int = judged(
         8,
         "The nearest piece has one of the nearest middles; fewer may miss it where several lines meet.",
@@ -58,3 +61,12 @@ class EvaluationSettings:
     outlines: OutlineSettings = OutlineSettings()
     comparison: ComparisonSettings = ComparisonSettings()
     drawn_plan: DrawnPlanSettings = DrawnPlanSettings()
+
+
+@dataclass(frozen=True)
+class LengthSettings:
+    """How lengths of two lists are compared."""
+
+    same_unit: float = judged(
+        0.05, "Half of the lengths of a schedule and a tape agree to less, so that their ratio shows a unit."
+    )

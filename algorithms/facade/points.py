@@ -5,18 +5,22 @@ from typing import Optional
 
 import numpy as np
 
-from ..clouds.cloud import Cloud, parts
+from ..clouds.cloud import Cloud, names_of, parts
 from ..clouds.source import Chunk
 from ..clouds.thinning.thinning import thin_cloud
+from ..errors import InputError
 from ..progress import Progress
 from .elevation import Points
-from .settings import ThinningSettings
+from .settings import ExtentSettings, ThinningSettings
 
 CHUNK_SIZE = 1_000_000
 
 
 def read_points(
-    cloud: Cloud, progress: Progress = Progress(), thinning: Optional[ThinningSettings] = None
+    cloud: Cloud,
+    progress: Progress = Progress(),
+    thinning: Optional[ThinningSettings] = None,
+    limits: ExtentSettings = ExtentSettings(),
 ) -> Points:
     """Return the points of a cloud, with colour and intensity where all its files have them.
 
@@ -26,11 +30,12 @@ def read_points(
     progress : Progress
     thinning : ThinningSettings, optional
         How larger clouds are thinned; all points are kept if not given.
+    limits : ExtentSettings
 
     Raises
     ------
     InputError
-        If a file is damaged.
+        If a file is damaged, or the points lie too far apart.
     """
     has_rgb = _all_have(cloud, "has_rgb", "colour", progress)
     has_intensity = _all_have(cloud, "has_intensity", "intensity", progress)
@@ -47,6 +52,7 @@ def read_points(
         within = np.zeros(len(chunk.xyz)) if chunk.scan is None else chunk.scan
         # The stations of LAS are 16-bit numbers, which cannot hold the sum.
         scans.append(number * (1 << 32) + within.astype(np.int64))
+    _check_extent(cloud, xyz, limits)
     _, scan = np.unique(np.concatenate(scans), return_inverse=True)
     points = Points(
         np.concatenate(xyz),
@@ -58,6 +64,19 @@ def read_points(
     if thinning is None or len(points.xyz) <= thinning.most_points:
         return points
     return _thinned(cloud, points, thinning, progress)
+
+
+def _check_extent(cloud: Cloud, xyz: list[np.ndarray], limits: ExtentSettings) -> None:
+    """Refuse points that lie so far apart that rasters over them would not fit into memory."""
+    low = np.min([part.min(axis=0) for part in xyz if len(part)], axis=0)
+    high = np.max([part.max(axis=0) for part in xyz if len(part)], axis=0)
+    extent = float(np.max(high - low))
+    if extent > limits.largest_m:
+        raise InputError(
+            f"The points of {names_of(cloud.sources)} reach over {extent:.0f} m, more than the "
+            f"{limits.largest_m:.0f} m of any facade; cut the cloud to the facade, or check that its "
+            "coordinates are metres."
+        )
 
 
 def _thinned(cloud: Cloud, points: Points, settings: ThinningSettings, progress: Progress) -> Points:

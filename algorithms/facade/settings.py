@@ -11,6 +11,15 @@ from .planes.settings import PlaneSettings
 
 
 @dataclass(frozen=True)
+class ExtentSettings:
+    """How far the points of a facade may reach."""
+
+    largest_m: float = physical(
+        2000.0, "Longer than any facade; rasters of the search for planes then have 64 million cells at most."
+    )
+
+
+@dataclass(frozen=True)
 class ThinningSettings:
     """How many points are measured at once."""
 

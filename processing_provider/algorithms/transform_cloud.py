@@ -54,9 +54,10 @@ class TransformCloudAlgorithm(Algorithm):
         """Find the transformation of each cloud; the points are moved when the files are written."""
         from ...algorithms.clouds.cloud import open_sources, parts
         from ...algorithms.clouds.writing.transformation import (
+            refuse_other_units,
+            rounding_warnings,
             transform_cloud,
             transformed_names,
-            unit_warnings,
         )
         from ...algorithms.registration.output.transforms import match_clouds, read_transforms
 
@@ -66,7 +67,10 @@ class TransformCloudAlgorithm(Algorithm):
         log.warn(warnings)
         found = [(source, scan) for source, scan in zip(sources, scans) if scan]
         sources = tuple(source for source, _ in found)
-        log.warn(unit_warnings(sources))
+        refuse_other_units(sources)
+        for source, scan in found:
+            log.warn(source.warnings)
+            log.warn(rounding_warnings(source, scan.matrix))
         if transforms.crs is None:
             log.warn(
                 [f"{transforms.path} states no coordinate reference system, so the results have none either."]

@@ -63,7 +63,7 @@ def neighbourhood(advanced: bool) -> Number:
 def open_site(values: dict[str, Any]) -> "Cloud":
     """Open the clouds that the user chose as one site."""
     from ...algorithms.clouds.cloud import open_cloud
-    from ...algorithms.reference_systems import parse_wkt
+    from ...algorithms.reference_systems import chosen_system
 
     crs = values.get("CRS")
-    return open_cloud(values["INPUT"], parse_wkt(crs.toWkt()) if crs else None)
+    return open_cloud(values["INPUT"], chosen_system(crs.toWkt(), "CRS") if crs else None)

@@ -101,11 +101,11 @@ def settings_of(values: dict[str, Any]) -> "Settings":
 
 def control_of(values: dict[str, Any]) -> "PointList":
     """Return the control points, with their own reference system, or else the one that the user chose."""
-    from ...algorithms.reference_systems import parse_wkt, require_metres
+    from ...algorithms.reference_systems import chosen_system, require_metres
 
     control, chosen = values["CONTROL"], values["CRS"]
     if control.crs is not None or chosen is None:
         return control
-    crs = parse_wkt(chosen.toWkt())
+    crs = chosen_system(chosen.toWkt(), "CRS")
     require_metres(crs, "CRS")
     return replace(control, crs=crs)

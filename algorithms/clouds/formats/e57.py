@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +15,14 @@ from ...reference_systems import parse_wkt
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
 from . import E57_PACKAGES
+from .coordinate_steps import step_warning
 from .e57_scan import CARTESIAN, COLOUR, INVALID, SPHERICAL, Scan, describe, plain_name
 from .normals import find_normals
 from .stated_crs import read_crs
-from .value_ranges import to_uint16
+from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
+
+LARGEST_BLOCK = 2**28
+"""Bytes of fields that are read at once, however many a scan has."""
 
 
 @dataclass(frozen=True)
@@ -51,19 +55,23 @@ class E57Source(Source):
             nodes = root["data3D"] if root.isDefined("data3D") else []
             scans = tuple(describe(library, path, nodes[number], number) for number in range(len(nodes)))
             wkt = root["coordinateMetadata"].value() if root.isDefined("coordinateMetadata") else ""
-        scans = tuple(scan for scan in scans if scan.count)
-        blocks = (
-            _positions(data, scan) for scan in scans for data in _blocks(path, scan, settings.sample_points)
-        )
-        sample = next((points for points in blocks if len(points)), None)
-        if sample is None:
+        samples = [(scan, _sample(path, scan, settings)) for scan in scans if scan.count]
+        if not any(len(data[scan.coordinates[0]]) for scan, data in samples):
             raise no_points(path)
+        factor = _colour_factor(samples)
+        scans = tuple(
+            replace(scan, rgb_factor=factor, intensity=_intensity(scan, data)) for scan, data in samples
+        )
         crs, warnings = read_crs(path, lambda: parse_wkt(wkt) if wkt.strip() else None)
+        first, sample = next(pair for pair in samples if len(pair[1][pair[0].coordinates[0]]))
+        doubts = dict.fromkeys(
+            sentence for scan, data in samples for sentence in (*scan.warnings, *_coarse(path, data))
+        )
         return cls(
             path=path,
             crs=crs,
-            warnings=warnings,
-            middle=np.median(sample, axis=0),
+            warnings=(*warnings, *doubts),
+            middle=np.median(_positions(sample, first), axis=0),
             has_intensity=any("intensity" in scan.fields for scan in scans),
             has_rgb=any(set(COLOUR) <= set(scan.fields) for scan in scans),
             scans=scans,
@@ -96,7 +104,7 @@ class E57Source(Source):
         none = np.zeros(len(xyz))
         summand, factor = scan.intensity
         intensity = to_uint16((data["intensity"] + summand) * factor) if "intensity" in data else none
-        rgb = np.stack([data.get(name, none) for name in COLOUR], axis=1) * scan.rgb_factor
+        rgb = np.stack([data.get(name, none) for name in COLOUR], axis=1)
         attributes = {name: data.get(name, none) for name, _ in self.attributes}
         normals = [list(attributes)[index] for index in find_normals(list(attributes)) or ()]
         if normals:
@@ -105,7 +113,7 @@ class E57Source(Source):
         return Chunk(
             xyz,
             intensity.astype(np.uint16) if self.has_intensity else None,
-            to_uint16(rgb) if self.has_rgb else None,
+            scaled_colour(self.path, rgb, scan.rgb_factor) if self.has_rgb else None,
             {name: attributes[name].astype(kind) for name, kind in self.attributes},
             np.full(len(xyz), scan.number),
         )
@@ -140,6 +148,7 @@ def _blocks(path: Path, scan: Scan, size: int) -> Iterator[dict[str, np.ndarray]
     """Yield the fields of the valid points, `size` points at a time with the others."""
     with _image(path) as (library, image):
         node = image.root()["data3D"][scan.number]
+        size = max(min(size, scan.count, LARGEST_BLOCK // (8 * len(scan.fields))), 1)
         arrays = {name: np.empty(size) for name in scan.fields}
         buffers = library.VectorSourceDestBuffer()
         for name, array in arrays.items():
@@ -154,6 +163,48 @@ def _blocks(path: Path, scan: Scan, size: int) -> Iterator[dict[str, np.ndarray]
                     valid &= np.isfinite(arrays[name][:count])
             yield {plain_name(name): array[:count][valid] for name, array in arrays.items()}
         reader.close()
+
+
+def _sample(path: Path, scan: Scan, settings: ReadingSettings) -> dict[str, np.ndarray]:
+    """Return the fields of some points of a scan: of all if it is small, else of the first that are valid.
+
+    Points of an E57 are stored in packets that can only be read in sequence.
+    """
+    most = settings.whole_points
+    found: list[dict[str, np.ndarray]] = []
+    for data in _blocks(path, scan, most):
+        found.append(data)
+        if sum(len(block[scan.coordinates[0]]) for block in found):
+            break
+    return (
+        {name: np.concatenate([block[name] for block in found]) for name in found[0]}
+        if found
+        else {plain_name(name): np.empty(0) for name in scan.fields}
+    )
+
+
+def _intensity(scan: Scan, data: dict[str, np.ndarray]) -> tuple[float, float]:
+    """Return the scale of the intensity from the range that is announced and the one that occurs."""
+    values = np.concatenate([scan.intensity_limits, data.get("intensity", np.empty(0))])
+    return intensity_scale(values, relative=True)
+
+
+def _colour_factor(samples: list[tuple[Scan, dict[str, np.ndarray]]]) -> float:
+    """Return the factor of the colours of a file, whose scans have one range."""
+    colours = [np.empty((0, 3))]
+    for scan, data in samples:
+        if set(COLOUR) <= data.keys():
+            colours.append(np.stack([data[name] for name in COLOUR], axis=1))
+            # Of a large scan the brightest points may not be among the sample.
+            if len(data[COLOUR[0]]) < scan.count and scan.brightest > 1:
+                colours.append(np.full((1, 3), scan.brightest))
+    return rgb_factor(np.concatenate(colours))
+
+
+def _coarse(path: Path, data: dict[str, np.ndarray]) -> tuple[str, ...]:
+    if not set(CARTESIAN) <= data.keys():
+        return ()
+    return step_warning(path, np.stack([data[name] for name in CARTESIAN], axis=1))
 
 
 def _positions(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:

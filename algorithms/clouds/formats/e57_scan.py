@@ -8,12 +8,20 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...errors import InputError
+from .poses import pose_problem
 
 CARTESIAN = ("cartesianX", "cartesianY", "cartesianZ")
 SPHERICAL = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 COLOUR = ("colorRed", "colorGreen", "colorBlue")
 INVALID = ("cartesianInvalidState", "sphericalInvalidState")
 """Fields that are not 0 where there is no point."""
+
+
+UNKNOWN = (float("nan"), float("nan"))
+"""The limits of a field for which none are announced."""
+
+UNIT_LENGTH = 1e-3
+"""By which the length of a quaternion may differ from 1: that of three written decimals."""
 
 
 @dataclass(frozen=True)
@@ -31,12 +39,18 @@ class Scan:
     rotation : ndarray, shape (3, 3)
     shift : ndarray, shape (3,)
         Of the pose.
+    intensity_limits : tuple of 2 float
+        As they are announced; nan if they are not.
+    brightest : float
+        The largest colour that is announced; nan if none is.
+    attributes : dict of str to dtype
+        What else the points have.
+    warnings : tuple of str
+        What the user should know about the scan, in sentences.
     intensity : tuple of 2 float
         Summand, then factor, that bring the intensity to 0..65535.
     rgb_factor : float
         Brings the colour to 0..65535.
-    attributes : dict of str to dtype
-        What else the points have.
     """
 
     number: int
@@ -44,9 +58,17 @@ class Scan:
     fields: tuple[str, ...]
     rotation: np.ndarray
     shift: np.ndarray
-    intensity: tuple[float, float]
-    rgb_factor: float
+    intensity_limits: tuple[float, float]
+    brightest: float
     attributes: dict[str, np.dtype]
+    warnings: tuple[str, ...] = ()
+    intensity: tuple[float, float] = (0.0, 1.0)
+    rgb_factor: float = 1.0
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The fields of the positions."""
+        return CARTESIAN if set(CARTESIAN) <= set(self.fields) else SPHERICAL
 
 
 def describe(library: Any, path: Path, node: Any, number: int) -> Scan:
@@ -66,8 +88,10 @@ def describe(library: Any, path: Path, node: Any, number: int) -> Scan:
     Raises
     ------
     InputError
-        If its points have no coordinates.
+        If its points have no coordinates, or its pose moves no points.
     """
+    if not node.isDefined("points"):
+        raise InputError(f"{path} has a scan without coordinates; export it again.")
     points = node["points"]
     prototype = library.StructureNode(points.prototype())
     names = [prototype.get(index).elementName() for index in range(prototype.childCount())]
@@ -78,15 +102,23 @@ def describe(library: Any, path: Path, node: Any, number: int) -> Scan:
     known = {*CARTESIAN, *SPHERICAL, *INVALID, *COLOUR, "intensity"}
     others = {name: kind for name, kind in kinds.items() if name not in known and kind is not None}
     read = {*coordinates, *INVALID, *COLOUR, "intensity", *others}
+    rotation, warnings = _rotation(path, node, number)
+    shift = _vector(node, "translation", "xyz", np.zeros(3))
+    problem = pose_problem(rotation, shift)
+    if problem:
+        raise InputError(
+            f"The pose of scan {number + 1} of {path} {problem}; export the scan again with its pose."
+        )
     return Scan(
         number=number,
         count=points.childCount(),
         fields=tuple(name for name in names if name in read),
-        rotation=_rotation(node),
-        shift=_vector(node, "translation", "xyz", np.zeros(3)),
-        intensity=_intensity_scale(_limits(node, prototype, "intensity")),
-        rgb_factor=_rgb_factor(max(_limits(node, prototype, name)[1] for name in COLOUR)),
+        rotation=rotation,
+        shift=shift,
+        intensity_limits=_limits(node, prototype, "intensity"),
+        brightest=max(_limits(node, prototype, name)[1] for name in COLOUR),
         attributes={plain_name(name): kind for name, kind in others.items()},
+        warnings=warnings,
     )
 
 
@@ -102,9 +134,22 @@ def plain_name(name: str) -> str:
     return name.split(":")[-1]
 
 
-def _rotation(node: Any) -> np.ndarray:
-    quaternion = _vector(node, "rotation", "xyzw", np.zeros(4))
-    return Rotation.from_quat(quaternion).as_matrix() if quaternion.any() else np.eye(3)
+def _rotation(path: Path, node: Any, number: int) -> tuple[np.ndarray, tuple[str, ...]]:
+    """Return the rotation of a pose, and what is doubtful about it."""
+    quaternion = _vector(node, "rotation", "wxyz", np.array([1.0, 0, 0, 0]))
+    if not np.isfinite(quaternion).all():
+        return np.full((3, 3), np.nan), ()
+    length = float(np.linalg.norm(quaternion))
+    sentence = f"The rotation of scan {number + 1} of {path} {{}}; check how it was exported."
+    if length == 0:
+        return np.eye(3), (sentence.format("is all zero, so the scan is not turned"),)
+    w, *axis = quaternion
+    doubt = (
+        (sentence.format(f"has the length {length:.3g} instead of 1"),)
+        if abs(length - 1) > UNIT_LENGTH
+        else ()
+    )
+    return Rotation.from_quat([*axis, w]).as_matrix(), doubt
 
 
 def _vector(node: Any, name: str, components: str, default: np.ndarray) -> np.ndarray:
@@ -122,28 +167,14 @@ def _limits(node: Any, prototype: Any, name: str) -> tuple[float, float]:
         low, high = (_value(node[end]) for end in ends)
         return low, high
     if not prototype.isDefined(name):
-        return 0.0, 1.0
+        return UNKNOWN
     field = prototype[name]
     if hasattr(field, "scaledMaximum"):
         return field.scaledMinimum(), field.scaledMaximum()
     # A number without limits of its own has those of its type, which say nothing about its range.
     narrow = field.minimum() > -1e9 and field.maximum() < 1e9
-    return (field.minimum(), field.maximum()) if narrow else (0.0, 1.0)
+    return (field.minimum(), field.maximum()) if narrow else UNKNOWN
 
 
 def _value(node: Any) -> float:
     return float(node.scaledValue() if hasattr(node, "scaledValue") else node.value())
-
-
-def _intensity_scale(limits: tuple[float, float]) -> tuple[float, float]:
-    low, high = limits
-    # Many programs announce the range that occurs, which differs between scans of equal brightness.
-    if low >= 0 and high <= 1:
-        return 0.0, 65535.0
-    return (-low, 65535 / (high - low)) if high > low else (0.0, 1.0)
-
-
-def _rgb_factor(brightest: float) -> float:
-    if brightest <= 1:
-        return 65535.0
-    return 257.0 if brightest <= 255 else 1.0

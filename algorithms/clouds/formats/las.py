@@ -14,17 +14,25 @@ from ...errors import InputError
 from ...progress import Progress
 from ...reference_systems import parse_wkt
 from ..settings import ReadingSettings
-from ..source import Chunk, Source
+from ..source import Chunk, Source, no_points
+from .coordinate_steps import step_warning
 from .geotiff_keys import parse_geotiff_keys
-from .las_reader import EVERYTHING, Selection, has_chunks_of_any_size, open_reader, read_records, seek
+from .las_layout import count_warning
+from .las_reader import EVERYTHING, LARGEST_BLOCK, Selection, can_seek, open_reader, read_records, seek
 from .stated_crs import read_crs
+from .value_ranges import scaled_colour
+
+QUALITY = Selection.CLASSIFICATION | Selection.FLAGS
+LOW_NOISE, HIGH_NOISE = 7, 18
+"""Classes of the LAS specification; the second one of the newer point formats only."""
 
 
 @dataclass(frozen=True)
 class LasSource(Source):
     """A LAS or LAZ file.
 
-    An intensity or a colour that is zero in all sampled points counts as absent. A colour that is below
+    Points that are flagged as withheld or classified as noise are left out. An intensity or a colour that is
+    zero in all sampled points counts as absent. A colour that is below
     256 in all of them counts as 8 bits in a 16-bit field. The header's bounding box is never used,
     because octree exports write the box of their tree there.
 
@@ -57,13 +65,21 @@ class LasSource(Source):
             _check_scales(path, header)
             sample = _sample(path, reader, settings)
             crs, warnings = read_crs(path, partial(_parse_crs, header))
-        xyz = coordinates(sample, header.scales, header.offsets)
+        usable = is_usable(sample)
+        if not usable.any():
+            raise no_points(path)
+        xyz = coordinates(sample, header.scales, header.offsets)[usable]
         rgb = _colour(sample)
         brightest = 0 if rgb is None else rgb.max()
         return cls(
             path=path,
             crs=crs,
-            warnings=warnings,
+            warnings=(
+                *warnings,
+                *count_warning(path),
+                *_left_out(path, 1 - usable.mean()),
+                *step_warning(path, xyz),
+            ),
             middle=np.median(xyz, axis=0),
             has_intensity=bool(sample["intensity"].any()),
             has_rgb=brightest > 0,
@@ -79,7 +95,7 @@ class LasSource(Source):
         wanted = (
             Selection.base() | Selection.INTENSITY | Selection.RGB | Selection.Z | Selection.POINT_SOURCE_ID
         )
-        for points in self.records(progress, size, wanted):
+        for points in self.records(progress, size, wanted | QUALITY):
             yield Chunk(
                 coordinates(points, self.scales, self.offsets - origin),
                 points["intensity"].copy() if self.has_intensity else None,
@@ -88,7 +104,11 @@ class LasSource(Source):
             )
 
     def records(
-        self, progress: Progress, size: int, selection: laspy.DecompressionSelection = EVERYTHING
+        self,
+        progress: Progress,
+        size: int,
+        selection: laspy.DecompressionSelection = EVERYTHING,
+        with_unusable: bool = False,
     ) -> Iterator[np.ndarray]:
         """Yield the raw point records in file order, `size` at a time.
 
@@ -96,6 +116,8 @@ class LasSource(Source):
         ----------
         selection : laspy.DecompressionSelection
             The dimensions that are needed; the others are undefined.
+        with_unusable : bool
+            Whether points that are withheld or noise are among them.
 
         Yields
         ------
@@ -108,17 +130,46 @@ class LasSource(Source):
             If the file ends early or cannot be decompressed.
         """
         progress.update(0.0, f"Reading {self.path.name}")
+        size = min(size, LARGEST_BLOCK // self.point_format.size)
+        left_out = 0
         with open_reader(self.path, selection) as reader:
             for start in range(0, self.point_count, size):
                 points = read_records(self.path, reader, min(size, self.point_count - start))
+                read = start + len(points)
+                if not with_unusable:
+                    usable = is_usable(points)
+                    left_out += len(points) - int(usable.sum())
+                    points = points if usable.all() else points[usable]
                 yield points
-                progress.update((start + len(points)) / self.point_count)
+                progress.update(read / self.point_count)
+        if left_out:
+            progress.update(
+                1.0, f"{self.path.name}: {left_out} withheld points and points of noise were left out."
+            )
 
     def _scaled_colour(self, points: np.ndarray) -> np.ndarray:
         rgb = _colour(points)
-        if self.colour_factor == 1:
-            return rgb
-        return np.minimum(rgb, 255) * np.uint16(self.colour_factor)
+        return rgb if self.colour_factor == 1 else scaled_colour(self.path, rgb, self.colour_factor)
+
+
+def is_usable(points: np.ndarray) -> np.ndarray:
+    """Return which raw records are neither flagged as withheld nor classified as noise; bool, shape (n,)."""
+    if "raw_classification" in points.dtype.names:
+        flags, withheld = points["raw_classification"], 0b1000_0000
+        noise = flags & 0b1_1111 == LOW_NOISE
+    else:
+        flags, withheld = points["classification_flags"], 0b100
+        noise = np.isin(points["classification"], (LOW_NOISE, HIGH_NOISE))
+    return ~(noise | (flags & withheld > 0))
+
+
+def _left_out(path: Path, share: float) -> tuple[str, ...]:
+    if not share:
+        return ()
+    return (
+        f"{share:.1%} of the points of {path} are flagged as withheld or classified as noise, and are left "
+        "out; change their class where they are wanted.",
+    )
 
 
 def _check_scales(path: Path, header: laspy.LasHeader) -> None:
@@ -129,16 +180,20 @@ def _check_scales(path: Path, header: laspy.LasHeader) -> None:
             f"{path} has coordinates that are not numbers because the scale or offset in "
             "its header is not valid; export it again."
         )
+    if np.prod(np.sign(header.scales)) < 0:
+        raise InputError(f"{path} is mirrored by a negative scale in its header; export it again.")
 
 
 def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> np.ndarray:
     """Return the records of a few short runs spread over the whole file."""
-    count, size = reader.header.point_count, settings.las_run_points
-    if has_chunks_of_any_size(reader.header):
-        # lazrs seeks to the wrong point in such files; a COPC starts with points from all over the site.
-        return read_records(path, reader, min(settings.las_runs * size, count))
+    count, size = reader.header.point_count, settings.run_points
+    if count <= settings.whole_points:
+        return read_records(path, reader, count)
+    if not can_seek(reader):
+        # lazrs seeks to the wrong point in a COPC, which starts with points from all over the site.
+        return read_records(path, reader, min(settings.runs * size, count))
     runs = []
-    for start in np.unique(np.linspace(0, max(count - size, 0), settings.las_runs).astype(int)):
+    for start in np.unique(np.linspace(0, max(count - size, 0), settings.runs).astype(int)):
         seek(path, reader, int(start))
         runs.append(read_records(path, reader, min(size, count)))
     return np.concatenate(runs)

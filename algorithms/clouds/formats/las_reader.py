@@ -1,20 +1,20 @@
 """LAS and LAZ files opened with care: a damaged one is refused before laspy or lazrs trusts it."""
 
-import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import BinaryIO, Optional
+from typing import BinaryIO
 
 import laspy
-import lazrs
 import numpy as np
 
 from ...errors import InputError
-from ..source import no_points, unreadable
+from ..source import unreadable
+from .las_layout import LasLayout, damaged, read_layout
+from .laz_chunks import read_record, with_table
 
-LARGEST_CHUNK = 1_000_000
-"""Points for which lazrs may claim memory at once, whatever a damaged header announces."""
+LARGEST_BLOCK = 2**28
+"""Bytes of raw records that are read at once, whatever a damaged header announces."""
 
 Selection = laspy.DecompressionSelection
 EVERYTHING = Selection.all()
@@ -34,12 +34,29 @@ def open_reader(
     with _as_input_error(path):
         stream = path.open("rb")
     with stream:
-        _check_layout(path, stream)
-        stream.seek(0)
         with _as_input_error(path):
-            reader = laspy.LasReader(stream, closefd=False, decompression_selection=selection)
-            _check_chunk_size(path, reader.header)
+            layout = read_layout(path, stream)
+            reader = _open(path, stream, layout, selection)
         yield reader
+
+
+def _open(
+    path: Path, stream: BinaryIO, layout: LasLayout, selection: laspy.DecompressionSelection
+) -> laspy.LasReader:
+    stream.seek(0)
+    reader = laspy.LasReader(stream, closefd=False, decompression_selection=selection)
+    if layout.compressed:
+        records = reader.header.vlrs.get("LasZipVlr")
+        if not records:
+            raise damaged(path, "it lacks the record of its compression")
+        checked, data = with_table(path, stream, layout, read_record(path, records[0].record_data, layout))
+        if checked is not stream:
+            # Several threads jump between chunks, and their lengths are not known.
+            reader = laspy.LasReader(checked, closefd=False, laz_backend=laspy.LazBackend.Lazrs)
+            reader.header.vlrs.get("LasZipVlr")[0].record_data = data
+        checked.seek(layout.start)
+    reader.header.point_count = layout.count
+    return reader
 
 
 @contextmanager
@@ -52,71 +69,20 @@ def _as_input_error(path: Path) -> Iterator[None]:
         raise unreadable(path, error) from error
     # A panic of lazrs derives from BaseException; damaged bytes raise nearly anything.
     except BaseException as error:
-        raise _damaged(path, f"it cannot be decoded: {error}") from error
+        raise damaged(path, f"it cannot be decoded: {_one_line(error)}") from error
 
 
-def _damaged(path: Path, detail: str) -> InputError:
-    return InputError(f"{path} is truncated or damaged ({detail}); copy or export it again.")
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:200]
 
 
-def _check_layout(path: Path, stream: BinaryIO) -> None:
-    """Refuse a header that contradicts the length of the file, before laspy trusts it."""
-    size = path.stat().st_size
-    head = stream.read(375)
-    if head[:4] != b"LASF":
-        raise InputError(f"{path} is not a LAS or LAZ file; give it the extension of its format.")
-    if len(head) < 227 or (head[25] >= 4 and len(head) < 375):
-        raise _damaged(path, "it ends within the header")
-    header_size, data_start, vlrs, kind, record_size, count = struct.unpack_from("<HIIBHI", head, 94)
-    evlr_start, evlrs = 0, 0
-    if head[25] >= 4:
-        evlr_start, evlrs, count = struct.unpack_from("<QIQ", head, 235)
-    if header_size + 54 * vlrs > data_start or evlr_start + 60 * evlrs > size:
-        raise _damaged(path, "its header announces more records than it has room for")
-    if count == 0:
-        raise no_points(path)
-    compressed = kind & 0b1100_0000
-    if not compressed and data_start + count * record_size > size:
-        raise _damaged(path, f"its header announces {count} points, but it ends before the last")
-    if compressed:
-        _check_chunk_table(path, stream, data_start, size)
-
-
-def _check_chunk_table(path: Path, stream: BinaryIO, data_start: int, size: int) -> None:
-    """Refuse a chunk table that lies beyond the end of the file, or whose size would make lazrs abort."""
-
-    def integer(position: int, code: str) -> int:
-        stream.seek(position)
-        value = stream.read(struct.calcsize(code))
-        if len(value) < struct.calcsize(code):
-            raise _damaged(path, "it ends before the table of its compressed chunks")
-        return struct.unpack(code, value)[0]
-
-    table = integer(data_start, "<q")
-    if table == -1:
-        table = integer(size - 8, "<q")
-    if not data_start < table < size or integer(table + 4, "<I") > size:
-        raise _damaged(path, "the table of its compressed chunks is missing")
-
-
-def _check_chunk_size(path: Path, header: laspy.LasHeader) -> None:
-    """Refuse a chunk for which lazrs would claim more memory than there is, and abort."""
-    laszip = _laszip_record(header)
-    if laszip is None or laszip.uses_variable_size_chunks():
-        return
-    if laszip.chunk_size() > max(header.point_count, LARGEST_CHUNK):
-        raise _damaged(path, "its compressed chunks are larger than the file")
-
-
-def has_chunks_of_any_size(header: laspy.LasHeader) -> bool:
-    """Whether a LAZ has chunks of different numbers of points, as a COPC has."""
-    laszip = _laszip_record(header)
-    return laszip is not None and laszip.uses_variable_size_chunks()
-
-
-def _laszip_record(header: laspy.LasHeader) -> Optional[lazrs.LazVlr]:
-    records = header.vlrs.get("LasZipVlr")
-    return lazrs.LazVlr(records[0].record_data) if records else None
+def can_seek(reader: laspy.LasReader) -> bool:
+    """Whether any record can be jumped to: not where chunks have different sizes, nor without their table."""
+    records = reader.header.vlrs.get("LasZipVlr")
+    if not records:
+        return True
+    is_variable = int.from_bytes(records[0].record_data[12:16], "little") == 2**32 - 1
+    return not is_variable and reader.laz_backend is not laspy.LazBackend.Lazrs
 
 
 def seek(path: Path, reader: laspy.LasReader, position: int) -> None:
@@ -142,5 +108,5 @@ def read_records(path: Path, reader: laspy.LasReader, count: int) -> np.ndarray:
     with _as_input_error(path):
         points = reader.read_points(count).array
     if len(points) < count:
-        raise _damaged(path, "it ends before its last point")
+        raise damaged(path, "it ends before its last point")
     return points

@@ -1,7 +1,7 @@
 """PLY, as text or binary: its vertices, with all that they have."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Optional
@@ -12,8 +12,9 @@ from ...errors import InputError
 from ...progress import Progress
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
+from .coordinate_steps import step_warning
 from .number_table import read_numbers
-from .value_ranges import intensity_scale, rgb_factor, to_uint16
+from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
 HEADER_LINES = 1000
 """A file without the end of a header so far, in lines and in bytes of a line, is not a PLY."""
@@ -35,6 +36,13 @@ Element = tuple[str, int, list[list[str]]]
 COORDINATES = ("x", "y", "z")
 COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b"))
 INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectance")
+"""What properties are called, in small letters."""
+
+MOST_DIGITS = 15
+"""Of the number of elements; no disk holds more."""
+
+LARGEST_BLOCK = 2**28
+"""Bytes of vertices that are read at once, however many properties they have."""
 
 
 @dataclass(frozen=True)
@@ -68,11 +76,13 @@ class Layout:
 class PlySource(Source):
     """A PLY file.
 
-    The first points decide in which range intensity is, and colour that is not of whole numbers.
+    Points from all over the file decide in which range intensity and colour are.
 
     Attributes
     ----------
     layout : Layout
+    xyz : tuple of 3 str
+        The properties that hold the coordinates.
     intensity : str or None
         The property that holds it.
     intensity_scale : tuple of 2 float
@@ -84,6 +94,7 @@ class PlySource(Source):
     """
 
     layout: Layout
+    xyz: tuple[str, ...]
     intensity: Optional[str]
     intensity_scale: tuple[float, float]
     rgb: Optional[tuple[str, ...]]
@@ -99,32 +110,30 @@ class PlySource(Source):
             If the file is not a PLY, is truncated or holds no points.
         """
         layout = _read_layout(path)
-        sample = next(
-            (points for points, _ in _blocks(path, layout, settings.sample_points) if len(points)), None
-        )
-        if sample is None:
-            raise no_points(path)
-        names = layout.dtype.names
-        intensity = next((name for name in names if name.lower() in INTENSITIES), None)
-        rgb = next((colour for colour in COLOURS if set(colour) <= set(names)), None)
+        sample = _sample(path, layout, settings)
+        xyz = _named(layout.dtype, COORDINATES) or COORDINATES
+        intensity = next((name for name in layout.dtype.names if name.lower() in INTENSITIES), None)
+        rgb = next(filter(None, (_named(layout.dtype, colour) for colour in COLOURS)), None)
+        positions = _columns(sample, xyz)
         return cls(
             path=path,
             crs=None,
-            warnings=(),
-            middle=np.median(_columns(sample, COORDINATES), axis=0),
+            warnings=step_warning(path, positions),
+            middle=np.median(positions, axis=0),
             has_intensity=intensity is not None,
             has_rgb=rgb is not None,
             layout=layout,
+            xyz=xyz,
             intensity=intensity,
             intensity_scale=intensity_scale(sample[intensity].astype(float)) if intensity else (0.0, 1.0),
             rgb=rgb,
-            rgb_factor=_colour_factor(sample, rgb) if rgb else 1.0,
+            rgb_factor=rgb_factor(_columns(sample, rgb)) if rgb else 1.0,
         )
 
     @property
     def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
         """See `Source.attributes`."""
-        used = (*COORDINATES, self.intensity, *(self.rgb or ()))
+        used = (*self.xyz, self.intensity, *(self.rgb or ()))
         return tuple(
             (name, self.layout.dtype[name].newbyteorder("="))
             for name in self.layout.dtype.names
@@ -138,31 +147,61 @@ class PlySource(Source):
         for points, fraction in _blocks(self.path, self.layout, size):
             if len(points):
                 yield Chunk(
-                    _columns(points, COORDINATES) - origin,
+                    _columns(points, self.xyz) - origin,
                     to_uint16((points[self.intensity] + summand) * factor) if self.intensity else None,
-                    to_uint16(_columns(points, self.rgb) * self.rgb_factor) if self.rgb else None,
+                    scaled_colour(self.path, _columns(points, self.rgb), self.rgb_factor)
+                    if self.rgb
+                    else None,
                     {name: points[name] for name, _ in self.attributes},
                 )
             progress.update(fraction)
 
 
-def _colour_factor(sample: np.ndarray, rgb: tuple[str, ...]) -> float:
-    by_type = {"u1": 257.0, "u2": 1.0}
-    return by_type.get(sample.dtype[rgb[0]].str[1:]) or rgb_factor(_columns(sample, rgb))
+def _named(dtype: np.dtype, names: tuple[str, ...]) -> Optional[tuple[str, ...]]:
+    """Return the properties with names in any letters, of which all are needed."""
+    spelt = {name.lower(): name for name in reversed(dtype.names or ())}
+    return tuple(spelt[name] for name in names) if set(names) <= spelt.keys() else None
+
+
+def _sample(path: Path, layout: Layout, settings: ReadingSettings) -> np.ndarray:
+    """Return vertices from all over the file whose coordinates are numbers.
+
+    Raises
+    ------
+    InputError
+        If there are none.
+    """
+    if layout.encoding == "ascii" or layout.count <= settings.whole_points:
+        blocks = [points for points, _ in _blocks(path, layout, settings.sample_points)]
+    else:
+        starts = np.linspace(0, layout.count - settings.run_points, settings.runs).astype(int).tolist()
+        runs = [replace(layout, start=layout.start + row * layout.dtype.itemsize) for row in starts]
+        blocks = [
+            points
+            for run in runs
+            for points, _ in _blocks(path, replace(run, count=settings.run_points), settings.run_points)
+        ]
+    sample = np.concatenate([points for points in blocks if len(points)] or [np.empty(0, layout.dtype)])
+    if not len(sample):
+        raise no_points(path)
+    return sample
 
 
 def _columns(points: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
-    return np.stack([points[name].astype(np.float64) for name in names], axis=1)
+    with np.errstate(invalid="ignore"):
+        return np.stack([points[name].astype(np.float64) for name in names], axis=1)
 
 
 def _blocks(path: Path, layout: Layout, size: int) -> Iterator[tuple[np.ndarray, float]]:
     """Yield the vertices whose coordinates are numbers, and the fraction read so far."""
     read = _read_lines if layout.encoding == "ascii" else _read_records
+    xyz = _named(layout.dtype, COORDINATES) or COORDINATES
+    size = max(min(size, LARGEST_BLOCK // layout.dtype.itemsize), 1)
     try:
         with path.open("rb") as stream:
             stream.seek(layout.start)
             for done, points in read(path, stream, layout, size):
-                finite = np.isfinite(_columns(points, COORDINATES)).all(axis=1)
+                finite = np.isfinite(_columns(points, xyz)).all(axis=1)
                 yield points[finite], done / layout.count
     except OSError as error:
         raise unreadable(path, error) from error
@@ -180,7 +219,7 @@ def _read_records(
 
 
 def _read_lines(path: Path, stream: BinaryIO, layout: Layout, size: int) -> Iterator[tuple[int, np.ndarray]]:
-    before = len(list(islice(stream, layout.skipped)))
+    before = sum(1 for _ in islice(stream, layout.skipped))
     for start in range(0, layout.count, size):
         count = min(size, layout.count - start)
         lines = [line.decode("ascii", errors="replace") for line in islice(stream, count)]
@@ -190,8 +229,20 @@ def _read_lines(path: Path, stream: BinaryIO, layout: Layout, size: int) -> Iter
         values = read_numbers(path, lines, first, len(layout.dtype.names))
         points = np.empty(count, layout.dtype)
         for name, column in zip(layout.dtype.names, values.T):
-            points[name] = column
+            points[name] = _of_type(path, name, column, layout.dtype[name])
         yield start + count, points
+
+
+def _of_type(path: Path, name: str, column: np.ndarray, kind: np.dtype) -> np.ndarray:
+    """Return numbers of a text in the type that the header gives to them."""
+    if kind.kind == "f":
+        with np.errstate(over="ignore"):
+            return column.astype(kind)
+    limits = np.iinfo(kind)
+    whole = np.nan_to_num(column)
+    if np.any((whole < limits.min) | (whole > limits.max)):
+        raise InputError(f"{path} has a property {name} beyond the range of its type; export it again.")
+    return whole.astype(kind)
 
 
 def _read_layout(path: Path) -> Layout:
@@ -207,12 +258,26 @@ def _read_layout(path: Path) -> Layout:
     for name, count, properties in _elements(path, lines):
         if name == "vertex":
             dtype = _vertex(path, properties, BYTE_ORDERS[encoding])
-            return Layout(encoding, start, lines_before, len(lines), count, dtype)
+            layout = Layout(encoding, start, lines_before, len(lines), count, dtype)
+            _check_length(path, layout)
+            return layout
         lines_before += count
         if encoding != "ascii":
-            dtype = _record(path, properties, BYTE_ORDERS[encoding])
-            start += count * dtype.itemsize
+            start += count * _record(path, properties, BYTE_ORDERS[encoding]).itemsize
     raise no_points(path)
+
+
+def _check_length(path: Path, layout: Layout) -> None:
+    """Refuse a number of vertices for which the file is too short, before memory is claimed for them."""
+    # In a text each number takes a digit and a blank at least.
+    is_text = layout.encoding == "ascii"
+    smallest = 2 * len(layout.dtype.names) if is_text else layout.dtype.itemsize
+    skipped = 2 * layout.skipped - 1 if is_text else 0
+    room = max(path.stat().st_size - layout.start - skipped, 0)
+    if layout.count * smallest > room:
+        raise truncated(path, f"it announces {layout.count} points and has {room // smallest}")
+    if layout.count == 0:
+        raise no_points(path)
 
 
 def _header_lines(path: Path, stream: BinaryIO) -> list[list[str]]:
@@ -232,7 +297,7 @@ def _elements(path: Path, lines: list[list[str]]) -> list[Element]:
     elements: list[Element] = []
     for words in lines:
         if words[0] == "element":
-            if len(words) != 3 or not words[2].isdecimal():
+            if len(words) != 3 or not words[2].isdecimal() or len(words[2]) > MOST_DIGITS:
                 raise InputError(f"{path} has a header that cannot be read; export it again.")
             elements.append((words[1], int(words[2]), []))
         elif words[0] == "property" and elements:
@@ -242,7 +307,7 @@ def _elements(path: Path, lines: list[list[str]]) -> list[Element]:
 
 def _vertex(path: Path, properties: list[list[str]], order: str) -> np.dtype:
     dtype = _record(path, properties, order)
-    if not set(COORDINATES) <= set(dtype.names or ()):
+    if _named(dtype, COORDINATES) is None:
         raise InputError(f"{path} has vertices without x, y and z; export it again as a point cloud.")
     return dtype
 
@@ -250,8 +315,7 @@ def _vertex(path: Path, properties: list[list[str]], order: str) -> np.dtype:
 def _record(path: Path, properties: list[list[str]], order: str) -> np.dtype:
     fields: list[tuple[str, str]] = []
     for words in properties:
-        repeated = words[-1] in [name for name, _ in fields]
-        if len(words) != 2 or words[0] not in TYPES or repeated:
+        if len(words) != 2 or words[0] not in TYPES or words[1] in [name for name, _ in fields]:
             raise InputError(
                 f"{path} has the property {' '.join(words)} with its vertices or before them, "
                 "which cannot be read; export it again as a point cloud."

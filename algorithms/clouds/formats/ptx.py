@@ -11,27 +11,44 @@ import numpy as np
 from ...errors import InputError
 from ...geometry.motion import product
 from ...progress import Progress
+from ...tables.encoding import encoding_of
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
+from .coordinate_steps import step_warning
+from .line_samples import sample_lines
 from .number_table import read_numbers
-from .value_ranges import rgb_factor, to_uint16
+from .poses import pose_doubt, pose_problem
+from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
 WIDTHS = (3, 4, 7)
 """Numbers in the line of a cell: x y z, then intensity, then red green blue."""
+
+
+HEADER = 10
+"""Lines before the cells of a scan."""
+
+MOST_DIGITS = 9
+"""Of the number of rows or columns; no scanner turns so finely."""
 
 
 @dataclass(frozen=True)
 class PtxSource(Source):
     """A PTX file; the points of all scans, moved by their poses, without the cells that are empty.
 
-    The first scan decides whether there is intensity and colour. They are 0 in scans without.
+    The first scan decides whether there is intensity and colour. They are 0 in scans without. Cells from all
+    over the file decide in which ranges they are.
 
     Attributes
     ----------
+    encoding : str
+    intensity_scale : tuple of 2 float
+        Summand, then factor, that bring the intensity to 0..65535.
     rgb_factor : float
         Brings the colour to 0..65535.
     """
 
+    encoding: str
+    intensity_scale: tuple[float, float]
     rgb_factor: float
 
     @classmethod
@@ -43,54 +60,83 @@ class PtxSource(Source):
         InputError
             If the file is not a PTX, is truncated or holds no points.
         """
-        sample = next((points for points, *_ in _blocks(path, settings.sample_points) if len(points)), None)
-        if sample is None:
-            raise no_points(path)
-        width = sample.shape[1]
+        try:
+            encoding = _encoding(path)
+            blocks = _blocks(path, encoding, settings.sample_points)
+            first, doubt = next(((cells, doubt) for cells, _, _, doubt in blocks if len(cells)), (None, ""))
+            if first is None:
+                raise no_points(path)
+            width = first.shape[1]
+            sample = _sample(path, encoding, width, settings)
+        except OSError as error:
+            raise unreadable(path, error) from error
         return cls(
             path=path,
             crs=None,
-            warnings=(),
-            middle=np.median(sample[:, :3], axis=0),
+            warnings=(*((doubt,) if doubt else ()), *step_warning(path, sample[:, :3])),
+            middle=np.median(first[:, :3], axis=0),
             has_intensity=width > 3,
             has_rgb=width == 7,
+            encoding=encoding,
+            intensity_scale=intensity_scale(sample[:, 3], relative=True) if width > 3 else (0.0, 1.0),
             rgb_factor=rgb_factor(sample[:, 4:]) if width == 7 else 1.0,
         )
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")
-        for points, scan, fraction in _blocks(self.path, size):
+        summand, factor = self.intensity_scale
+        for points, scan, fraction, doubt in _blocks(self.path, self.encoding, size):
             full = np.zeros((len(points), WIDTHS[-1]))
             full[:, : points.shape[1]] = points
             if len(points):
                 yield Chunk(
                     full[:, :3] - origin,
-                    to_uint16(full[:, 3] * 65535) if self.has_intensity else None,
-                    to_uint16(full[:, 4:] * self.rgb_factor) if self.has_rgb else None,
+                    to_uint16((full[:, 3] + summand) * factor) if self.has_intensity else None,
+                    scaled_colour(self.path, full[:, 4:], self.rgb_factor) if self.has_rgb else None,
                     scan=np.full(len(points), scan),
                 )
-            progress.update(fraction)
+            progress.update(fraction, doubt)
 
 
-def _blocks(path: Path, size: int) -> Iterator[tuple[np.ndarray, int, float]]:
-    """Yield the cells that hold a point, shape (n, 3, 4 or 7), their scan, and the fraction read so far."""
+def _encoding(path: Path) -> str:
+    with path.open("rb") as stream:
+        return encoding_of(path, stream.read(4096))
+
+
+def _sample(path: Path, encoding: str, width: int, settings: ReadingSettings) -> np.ndarray:
+    """Return cells from all over the file that hold a point, before they are moved, shape (n, width)."""
+    found = [np.empty((0, width))]
+    for lines in sample_lines(path, encoding, settings=settings.text):
+        cells = [line for line in lines if len(line.split()) == width]
+        try:
+            found.append(read_numbers(path, cells, 1, width))
+        except InputError:
+            continue
+    sample = np.concatenate(found)
+    return sample[_filled(sample)]
+
+
+def _blocks(path: Path, encoding: str, size: int) -> Iterator[tuple[np.ndarray, int, float, str]]:
+    """Yield the cells that hold a point, shape (n, 3, 4 or 7), their scan, the fraction read, and doubts."""
     try:
         length = path.stat().st_size
-        with path.open(encoding="utf-8", errors="replace") as stream:
+        with path.open(encoding=encoding, errors="replace") as stream:
             number = 1
             scan = 0
             while header := _read_header(path, stream, number):
-                cells, pose = header
-                number, left, width = number + 10, cells, None
+                cells, pose, number, doubt = header
+                left, width = cells, None
                 while left:
-                    lines = list(islice(stream, min(size, left)))
-                    if not lines:
+                    raw = list(islice(stream, min(size, left)))
+                    if not raw:
                         raise truncated(path, f"a scan announces {cells} cells and has {cells - left}")
-                    width = width or _width(path, lines[0], number)
-                    cell = read_numbers(path, lines, number, width)
-                    number, left = number + len(lines), left - len(lines)
-                    yield _points(cell, pose), scan, _position(stream) / length
+                    lines = [line for line in raw if not line.isspace()]
+                    if lines:
+                        width = width or _width(path, lines[0], number)
+                        points = _points(read_numbers(path, lines, number, width), pose)
+                        yield points, scan, _position(stream) / length, doubt
+                    number, left = number + len(raw), left - len(lines)
                 scan += 1
     except OSError as error:
         raise unreadable(path, error) from error
@@ -101,20 +147,42 @@ def _position(stream: TextIO) -> int:
     return stream.buffer.tell()
 
 
-def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int, np.ndarray]]:
-    """Return the number of cells and the pose, a matrix for rows; None at the end of the file."""
+def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int, np.ndarray, int, str]]:
+    """Return the number of cells, the pose for rows, the number of the next line, and doubts; or None."""
     # Columns, rows, the scanner's position and axes, which the pose repeats, and the pose.
-    lines = list(islice(stream, 10))
-    if not any(line.strip() for line in lines):
+    lines: list[str] = []
+    first = last = number
+    for line in stream:
+        last += 1
+        if line.isspace():
+            continue
+        first = first if lines else last - 1
+        lines.append(line)
+        if len(lines) == HEADER:
+            break
+    if not lines:
         return None
     fields = [line.split() for line in lines]
     shape = [len(row) for row in fields]
-    if shape != [1, 1, 3, 3, 3, 3, 4, 4, 4, 4] or not all(row[0].isdecimal() for row in fields[:2]):
+    whole = all(row[0].isdecimal() and len(row[0]) <= MOST_DIGITS for row in fields[:2])
+    if shape != [1, 1, 3, 3, 3, 3, 4, 4, 4, 4] or not whole:
         raise InputError(
-            f"{path} has no header of a PTX scan from line {number} on; "
+            f"{path} has no header of a PTX scan from line {first} on; "
             "give it the extension of its format, or export it again."
         )
-    return int(lines[0]) * int(lines[1]), read_numbers(path, lines[6:], number + 6, 4)
+    pose = read_numbers(path, [line.rstrip() + "\n" for line in lines[6:]], first + 6, 4)
+    problem = pose_problem(pose[:3, :3].T, pose[3, :3])
+    if not problem and not np.allclose(pose[:, 3], [0, 0, 0, 1], rtol=0, atol=1e-6):
+        problem = "does not end in the column 0 0 0 1"
+    if problem:
+        raise InputError(
+            f"The pose of the scan in line {first} of {path} {problem}; export the scan again with its pose."
+        )
+    doubt = pose_doubt(pose[:3, :3].T)
+    sentence = (
+        f"The pose of the scan in line {first} of {path} {doubt}; check how it was exported." if doubt else ""
+    )
+    return int(lines[0]) * int(lines[1]), pose, last, sentence
 
 
 def _width(path: Path, line: str, number: int) -> int:
@@ -127,8 +195,12 @@ def _width(path: Path, line: str, number: int) -> int:
     return width
 
 
+def _filled(cells: np.ndarray) -> np.ndarray:
+    """Return which cells hold a point; bool, shape (n,)."""
+    return cells[:, :3].any(axis=1) & np.isfinite(cells[:, :3]).all(axis=1)
+
+
 def _points(cells: np.ndarray, pose: np.ndarray) -> np.ndarray:
-    filled = cells[:, :3].any(axis=1) & np.isfinite(cells[:, :3]).all(axis=1)
-    points = cells[filled]
+    points = cells[_filled(cells)]
     points[:, :3] = product(points[:, :3], pose[:3, :3].T) + pose[3, :3]
     return points

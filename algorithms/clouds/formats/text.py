@@ -1,42 +1,49 @@
 """Points as lines of text: XYZ, TXT, CSV, ASC and PTS."""
 
-import io
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Optional, TextIO
+from typing import TextIO
 
 import numpy as np
-import pandas as pd
 
-from ...errors import InputError
 from ...progress import Progress
-from ..settings import ReadingSettings
+from ...tables.dialect import is_row
+from ...tables.encoding import WIDE, damaged
+from ..settings import ReadingSettings, TextSettings
 from ..source import Chunk, Source, truncated, unreadable
-from .text_dialect import Dialect, is_comment, is_count
+from .coordinate_steps import step_warning
+from .line_samples import sample_lines
 from .text_layout import Layout, read_layout
-from .value_ranges import to_uint16
+from .text_rows import RowParser
+from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
 
 @dataclass(frozen=True)
 class TextSource(Source):
     """A text file with one point a line.
 
-    The range of intensity and colour (0..1, 0..255, 0..65535; -2048..2047 in a PTS) is judged
-    by the first 64 KB and brought to 0..65535.
+    The range of intensity and colour (0..1, 0..255, 0..65535; -2048..2047 in a PTS) is judged by points
+    from all over the file and brought to 0..65535.
 
     Attributes
     ----------
     layout : Layout
+    intensity_scale : tuple of 2 float
+        Summand, then factor, that bring the intensity to 0..65535.
+    rgb_factor : float
+        Brings the colour to 0..65535.
     """
 
     layout: Layout
+    intensity_scale: tuple[float, float]
+    rgb_factor: float
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "TextSource":
-        """Examine the first lines of `path`.
+        """Examine the first lines of `path`, and some from all over the file.
 
         Raises
         ------
@@ -45,17 +52,30 @@ class TextSource(Source):
         """
         try:
             layout = read_layout(path, settings.text)
+            sample = _sample(path, layout, settings.text)
         except OSError as error:
             raise unreadable(path, error) from error
+        columns = layout.columns
         return cls(
             path=path,
             crs=None,
-            warnings=layout.warnings,
+            warnings=layout.warnings + step_warning(path, sample[:, :3] / layout.metres, layout.metres),
             middle=layout.middle,
-            has_intensity=layout.columns.intensity is not None,
-            has_rgb=layout.columns.rgb is not None,
+            has_intensity=columns.intensity is not None,
+            has_rgb=columns.rgb is not None,
             layout=layout,
+            intensity_scale=(
+                (0.0, 1.0)
+                if columns.intensity is None
+                else intensity_scale(sample[:, 3], path.suffix.lower() == ".pts")
+            ),
+            rgb_factor=rgb_factor(sample[:, -3:]) if columns.rgb else 1.0,
         )
+
+    @property
+    def rows(self) -> RowParser:
+        """What makes numbers of lines."""
+        return RowParser(self.path, self.layout)
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
@@ -74,9 +94,9 @@ class TextSource(Source):
         Yields
         ------
         list of str
-            The unchanged lines, including remarks and counts.
+            The unchanged lines, including remarks, counts, and rows without coordinates.
         ndarray of float64, shape (n, used)
-            The used columns of the lines that are points; see `is_point`.
+            The used columns of the lines that are points; see `RowParser.is_point`.
 
         Raises
         ------
@@ -84,28 +104,37 @@ class TextSource(Source):
             If a line cannot be read, or the file ends early.
         """
         progress.update(0.0, f"Reading {self.path.name}")
-        announced, found = self.layout.announced or 0, 0
+        announced, found, rows = self.layout.announced or 0, 0, self.rows
         for number, lines, fraction in self._blocks(size):
-            values, announced_here = self._parse(lines, number)
+            values, announced_here = rows.parse(lines, number)
             announced += announced_here
             found += len(values)
             yield lines, values
             progress.update(fraction)
-        if found < announced:
-            raise truncated(self.path, f"it announces {announced} points and holds {found}")
+        if self.layout.announced is not None and found < announced:
+            lost = announced - found
+            if lost > self._rows_without_coordinates(size):
+                raise truncated(self.path, f"it announces {announced} points and holds {found}")
 
-    def is_point(self, line: str) -> bool:
-        """Whether a line after the header is a point, neither a remark nor a count."""
-        return not (is_comment(line) or (self.layout.announced is not None and is_count(line)))
+    def _rows_without_coordinates(self, size: int) -> int:
+        """Return how many rows a program wrote without coordinates, which an announced number counts too."""
+        rows = self.rows
+        return sum(
+            rows.is_row_without_coordinates(line) for _, lines, _ in self._blocks(size) for line in lines
+        )
 
     @contextmanager
     def _stream(self) -> Iterator[TextIO]:
+        encoding = self.layout.encoding
+        # Bytes that do not fit the encoding are kept, so that they can be written again.
+        errors = "strict" if encoding in WIDE else "surrogateescape"
         try:
-            # Bytes that do not fit the encoding are kept, so that they can be written again.
-            with self.path.open(encoding=self.layout.encoding, errors="surrogateescape") as stream:
+            with self.path.open(encoding=encoding, errors=errors) as stream:
                 yield stream
         except OSError as error:
             raise unreadable(self.path, error) from error
+        except UnicodeDecodeError as error:
+            raise damaged(self.path, encoding) from error
 
     def _blocks(self, size: int) -> Iterator[tuple[int, list[str], float]]:
         """Yield the number of the first line, the lines, and the fraction read so far."""
@@ -116,85 +145,24 @@ class TextSource(Source):
                 yield number, lines, stream.buffer.tell() / length
                 number += len(lines)
 
-    def _parse(self, lines: list[str], number: int) -> tuple[np.ndarray, int]:
-        """Return the used columns of `lines`, and how many points the lines announce."""
-        values, announced = self._table(lines), 0
-        if values is None:
-            lines, announced = self._regular_lines(lines, number)
-            values = self._table(lines, regular=True)
-        if values is None:
-            raise InputError(
-                f"{self.path} cannot be read between the lines {number} and "
-                f"{number + len(lines)}; look for unusual characters there."
-            )
-        return values, announced
-
-    def _table(self, lines: list[str], regular: bool = False) -> Optional[np.ndarray]:
-        """Return the used columns, shape (n, used), or None if any line is irregular.
-
-        `regular` means that each line is known to have the right number of fields.
-        """
-        dialect, used = self.layout.dialect, self.layout.columns.used
-        if not lines:
-            return np.empty((0, len(used)))
-        by_blanks = dialect.delimiter == " "
-        try:
-            table = pd.read_csv(
-                io.BytesIO("".join(lines).replace('"', "").encode(errors="replace")),
-                header=None,
-                sep=r"\s+" if by_blanks else dialect.delimiter,
-                decimal=dialect.decimal,
-                skipinitialspace=True,
-                dtype=dict.fromkeys(used, np.float64),
-                low_memory=False,
-            )
-        except (ValueError, OverflowError):
-            return None
-        if table.shape != (len(lines), dialect.width):
-            return None
-        # Where blanks separate, a line that is too short shows as a missing last field.
-        if by_blanks and not regular and table[dialect.width - 1].isna().any():
-            return None
-        values = table[list(used)].to_numpy()
-        return values if np.isfinite(values).all() else None
-
-    def _regular_lines(self, lines: list[str], number: int) -> tuple[list[str], int]:
-        """Return the lines that hold points, and how many points the others announce.
-
-        Raises
-        ------
-        InputError
-            Naming the first line that is neither a point nor a remark.
-        """
-        regular, announced = [], 0
-        for position, line in enumerate(lines, start=number):
-            if not self.is_point(line):
-                announced += 0 if is_comment(line) else int(line)
-                continue
-            problem = _problem(line, self.layout.dialect, self.layout.columns.used)
-            if problem and not line.endswith("\n"):
-                raise truncated(self.path, f"its last line {position} is cut off")
-            if problem:
-                raise InputError(f"Line {position} of {self.path} {problem}; correct or remove that line.")
-            regular.append(line)
-        return regular, announced
-
     def _chunk(self, values: np.ndarray, origin: np.ndarray) -> Chunk:
-        layout = self.layout
         intensity = rgb = None
         if self.has_intensity:
-            summand, factor = layout.intensity_scale
+            summand, factor = self.intensity_scale
             intensity = to_uint16((values[:, 3] + summand) * factor)
         if self.has_rgb:
-            rgb = to_uint16(values[:, -3:] * layout.rgb_factor)
+            rgb = scaled_colour(self.path, values[:, -3:], self.rgb_factor)
         return Chunk(values[:, :3] - origin, intensity, rgb)
 
 
-def _problem(line: str, dialect: Dialect, used: tuple[int, ...]) -> str:
-    fields = dialect.split(line)
-    if len(fields) != dialect.width:
-        return f"has {len(fields)} columns instead of {dialect.width}"
-    for column in used:
-        if not np.isfinite(dialect.number(fields[column])):
-            return f"has '{fields[column]}' where a number is expected"
-    return ""
+def _sample(path: Path, layout: Layout, settings: TextSettings) -> np.ndarray:
+    """Return the used columns of points from all over the file, shape (n, used)."""
+    rows, dialect = RowParser(path, layout), layout.dialect
+    found = [np.empty((0, len(layout.columns.used)))]
+    for lines in sample_lines(path, layout.encoding, settings=settings):
+        values = rows.table(lines)
+        if values is None:
+            regular = [line for line in lines if is_row(line, dialect.delimiter, dialect.width)]
+            values = rows.table([line for line in regular if rows.is_point(line)], regular=True)
+        found.append(np.empty((0, len(layout.columns.used))) if values is None else values)
+    return np.concatenate(found)

@@ -8,7 +8,8 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
-from .text_dialect import NUMBER
+from ...tables.dialect import is_number
+from ..settings import TextSettings
 
 
 @dataclass(frozen=True)
@@ -50,26 +51,98 @@ def _triple(names: dict[str, int], *roles: str) -> Optional[tuple[int, ...]]:
 
 
 def columns_by_count(
-    path: Path, rows: list[list[str]], values: np.ndarray, numeric_share: float
+    path: Path,
+    rows: list[list[str]],
+    values: np.ndarray,
+    settings: TextSettings = TextSettings(),
 ) -> tuple[Columns, tuple[str, ...]]:
-    """Guess the columns as most programs write them: x y z, then intensity, then colour."""
-    shares = np.mean([_are_numbers(row) for row in rows], axis=0)
-    numeric = np.flatnonzero(shares >= numeric_share).tolist()
+    """Decide what columns without names hold, by their values: x y z first, then intensity, colour, normals.
+
+    Intensity may stand before or after the colour. What stays doubtful is left out, and said.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than three columns of numbers.
+    """
+    shares = np.mean([[is_number(field) for field in row] for row in rows], axis=0)
+    numeric = np.flatnonzero(shares >= settings.numeric_share).tolist()
     if len(numeric) > 3 and _is_label(rows, values, numeric):
         numeric = numeric[1:]
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as x y z.")
-    xyz, extra = tuple(numeric[:3]), tuple(numeric[3:])
-    if len(extra) in (3, 4) and _look_like_colour(values[:, extra[-3:]]):
-        return Columns(xyz, extra[0] if len(extra) == 4 else None, extra[-3:]), ()
-    if len(extra) == 1:
-        return Columns(xyz, extra[0]), ()
+    xyz, extra = tuple(numeric[:3]), numeric[3:]
+    normals = _normals(values, extra, settings.unit_length)
+    extra = [column for column in extra if column not in (normals or ())]
+    rgb = _colour(values, extra, path.suffix.lower() == ".pts", settings)
+    others = [column for column in extra if column not in (rgb or ())]
+    intensity = others[0] if len(others) == 1 and len(extra) in (1, 4) else None
+    if len(extra) == 4 and rgb is None and _colour_at(values, extra):
+        doubt = (
+            f"The last four columns of {path} can be intensity and colour or colour and intensity, so both "
+            "were left out; name the columns in a first line, as 'x y z intensity red green blue'.",
+        )
+        return Columns(xyz, normals=normals), doubt
     ignored = f"The columns of {path} after x y z have no names and were left out."
-    return Columns(xyz), (ignored,) if extra else ()
+    lost = others and intensity is None
+    return Columns(xyz, intensity, rgb, normals), (ignored,) if lost else ()
 
 
-def _are_numbers(row: list[str]) -> list[bool]:
-    return [bool(NUMBER.fullmatch(field)) for field in row]
+def _normals(values: np.ndarray, extra: list[int], tolerance: float) -> Optional[tuple[int, ...]]:
+    """Return the first three consecutive columns that are vectors of length 1; zeros and nan are unknown."""
+    for start in range(len(extra) - 2):
+        columns = extra[start : start + 3]
+        length = np.linalg.norm(values[:, columns], axis=1)
+        known = length[np.isfinite(length) & (length > 0)]
+        whole = np.all(values[:, columns] % 1 == 0)
+        # Colours of a dark picture can be single ones, too.
+        enough = 2 * len(known) > len(length) if whole else len(known) > 0
+        if enough and np.all(np.abs(known - 1) < tolerance):
+            return tuple(columns)
+    return None
+
+
+def _colour(
+    values: np.ndarray, extra: list[int], intensity_first: bool, settings: TextSettings
+) -> Optional[tuple[int, ...]]:
+    """Return the columns of red, green and blue among three or four; None if there are none, or in doubt."""
+    found = _colour_at(values, extra)
+    if len(found) < 2:
+        return found[0] if found else None
+    if intensity_first:
+        return found[1]
+    # Intensity follows the colours less closely than they follow each other.
+    first, last = (_agreement(values[:, columns]) for columns in found)
+    if abs(first - last) < settings.clearer_agreement or len(values) < settings.fewest_for_agreement:
+        return None
+    return found[0] if first > last else found[1]
+
+
+def _colour_at(values: np.ndarray, extra: list[int]) -> list[tuple[int, ...]]:
+    """Return the first and the last three of three or four columns, as far as they look like colour."""
+    if len(extra) not in (3, 4):
+        return []
+    candidates = [tuple(extra[:3]), tuple(extra[1:])] if len(extra) == 4 else [tuple(extra)]
+    colours = [columns for columns in candidates if _looks_like_colour(values[:, columns])]
+    if len(colours) == 2:
+        # Colours have one range, and intensity often another.
+        ranges = [_range_of(values[:, columns]) for columns in colours]
+        one = [columns for columns, found in zip(colours, ranges) if found is not None]
+        return one if len(one) == 1 else colours
+    return colours
+
+
+def _range_of(values: np.ndarray) -> Optional[int]:
+    """Return the number of bits that all three columns fit into; None if they need different ones."""
+    bits = {8 if column.max() <= 255 else 16 for column in values.T}
+    return bits.pop() if len(bits) == 1 else None
+
+
+def _agreement(values: np.ndarray) -> float:
+    """Return the smallest correlation between three columns."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        correlations = np.corrcoef(values.T)
+    return float(np.nan_to_num(correlations).min())
 
 
 def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> bool:
@@ -84,6 +157,11 @@ def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> 
     return whole and fractional and len(rows) > 1 and len(set(labels)) == len(rows)
 
 
-def _look_like_colour(values: np.ndarray) -> bool:
-    whole = np.all(values % 1 == 0)
-    return bool(whole and values.min() >= 0 and 1 < values.max() <= 65535)
+def _looks_like_colour(values: np.ndarray) -> bool:
+    """Whether three columns are 0..255 or 0..65535 in whole numbers, or 0..1."""
+    known = values[np.isfinite(values).all(axis=1)]
+    if not len(known) or known.min() < 0:
+        return False
+    if np.all(known % 1 == 0):
+        return bool(1 < known.max() <= 65535)
+    return bool(known.max() <= 1)

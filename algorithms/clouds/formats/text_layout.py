@@ -8,11 +8,11 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
+from ...tables.dialect import Dialect, decimal_signs, delimiter_and_width, is_row, split
+from ...tables.encoding import encoding_of
+from ...tables.header import read_preamble
 from ..settings import TextSettings
 from .text_columns import Columns, columns_by_count, columns_by_name
-from .text_dialect import BYTE_ORDER_MARKS, Dialect, decimal_sign, delimiter_and_width, is_row, split
-from .text_header import read_preamble
-from .value_ranges import intensity_scale, rgb_factor
 
 
 @dataclass(frozen=True)
@@ -24,26 +24,23 @@ class Layout:
     encoding : str
     dialect : Dialect
     columns : Columns
+    metres : tuple of 3 float
+        How many metres the units of the coordinates are.
     preamble : int
         Number of lines before the first point.
     announced : int or None
         Number of points that the count line of a PTS announces; None without such a line.
-    intensity_scale : tuple of 2 float
-        Summand, then factor, that bring the intensity to 0..65535.
-    rgb_factor : float
-        Brings the colour to 0..65535.
     middle : ndarray of float64, shape (3,)
-        Median of the first coordinates.
+        Median of the first coordinates (m).
     warnings : tuple of str
     """
 
     encoding: str
     dialect: Dialect
     columns: Columns
+    metres: tuple[float, float, float]
     preamble: int
     announced: Optional[int]
-    intensity_scale: tuple[float, float]
-    rgb_factor: float
     middle: np.ndarray
     warnings: tuple[str, ...]
 
@@ -60,28 +57,34 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
-    names, announced = read_preamble(path, lines[: numbers[0]], delimiter, width)
-    dialect = Dialect(delimiter, decimal_sign(path, rows, delimiter, names), width)
+    header = read_preamble(path, lines[: numbers[0]], delimiter, width)
+    signs = decimal_signs(path, rows, delimiter, bool(header.columns))
+    dialect = Dialect(delimiter, signs[0], width, signs[1])
     values = np.array([[dialect.number(field) for field in row] for row in rows])
     columns, warnings = (
-        (columns_by_name(names), ())
-        if names
-        else columns_by_count(path, rows, values, settings.numeric_share)
+        (columns_by_name(header.columns), ())
+        if header.columns
+        else columns_by_count(path, rows, values, settings)
     )
+    metres = header.factors(path)
     return Layout(
         encoding=encoding,
         dialect=dialect,
         columns=columns,
+        metres=metres,
         preamble=numbers[0],
-        announced=announced,
-        intensity_scale=(
-            (0.0, 1.0)
-            if columns.intensity is None
-            else intensity_scale(values[:, columns.intensity], path.suffix.lower() == ".pts")
-        ),
-        rgb_factor=rgb_factor(values[:, columns.rgb]) if columns.rgb else 1.0,
-        middle=_middle(path, values[:, columns.xyz]),
-        warnings=warnings,
+        announced=header.announced,
+        middle=_middle(path, values[:, columns.xyz]) * metres,
+        warnings=warnings + _converted(path, header.units, metres),
+    )
+
+
+def _converted(path: Path, units: dict[str, str], metres: tuple[float, float, float]) -> tuple[str, ...]:
+    others = sorted({unit for unit, factor in zip(units.values(), metres) if factor != 1})
+    return (
+        (f"{path} gives coordinates in {' and '.join(others)}; they were converted to metres.",)
+        if others
+        else ()
     )
 
 
@@ -89,10 +92,7 @@ def _first_lines(path: Path, size: int) -> tuple[str, list[str]]:
     with path.open("rb") as stream:
         sample = stream.read(size)
         has_more = bool(stream.read(1))
-    marks = [name for mark, name in BYTE_ORDER_MARKS.items() if sample.startswith(mark)]
-    encoding = marks[0] if marks else "utf-8"
-    if encoding != "utf-16" and b"\0" in sample:
-        raise InputError(f"{path} is not a text file; give it the extension of its format.")
+    encoding = encoding_of(path, sample)
     lines = list(io.StringIO(sample.decode(encoding, errors="replace"), newline=None))
     if lines and lines[0].lower().startswith("ncols"):
         raise InputError(f"{path} is a raster grid, not a point cloud; choose the cloud itself.")

@@ -3,6 +3,7 @@
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from types import TracebackType
 from typing import IO, Optional
@@ -63,7 +64,8 @@ class TileStore:
         self._open_file: Optional[IO[bytes]] = None
 
     def __enter__(self) -> "TileStore":
-        self._open_file = tempfile.TemporaryFile(prefix="ichnograph-")
+        with _full_disk_named():
+            self._open_file = tempfile.TemporaryFile(prefix="ichnograph-", buffering=0)
         return self
 
     def __exit__(
@@ -72,7 +74,9 @@ class TileStore:
         error: Optional[BaseException],
         traceback: Optional[TracebackType],
     ) -> None:
-        self._file.close()
+        # What is not written yet is not needed any more, even if the disk is full.
+        with suppress(OSError):
+            self._file.close()
 
     @property
     def _file(self) -> IO[bytes]:
@@ -124,12 +128,20 @@ class TileStore:
         blocks = []
         for start, count in self._parts[key]:
             self._file.seek(int(start) * _RECORD.itemsize)
-            blocks.append(np.fromfile(self._file, _RECORD, int(count)))
+            with _full_disk_named():
+                block = np.fromfile(self._file, _RECORD, int(count))
+                if len(block) < count:
+                    raise OSError("it ends early")
+            blocks.append(block)
         return np.concatenate(blocks)
 
     def _append(self, records: np.ndarray) -> None:
         self._file.seek(self._end * _RECORD.itemsize)
-        records.tofile(self._file)
+        with _full_disk_named():
+            # numpy's own writing does not notice a full disk.
+            left = memoryview(records.view(np.uint8))
+            while len(left):
+                left = left[self._file.write(left) :]
         self._end += len(records)
 
     def tiles(self, keys: list[Key], progress: Progress, message: str) -> Iterator[tuple[Key, Tile]]:
@@ -141,6 +153,17 @@ class TileStore:
             progress.update(done / total, message)
             yield key, self.tile(key)
             done += counts[key]
+
+
+@contextmanager
+def _full_disk_named() -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise InputError(
+            f"The temporary file of the points cannot be written or read ({error.strerror or error}); free "
+            "some space in the temporary folder, or set TMPDIR to a folder on a larger disk."
+        ) from error
 
 
 def _by_tile(

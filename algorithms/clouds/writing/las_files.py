@@ -49,8 +49,7 @@ def copied_header(path: Path) -> tuple[laspy.LasHeader, list[laspy.VLR]]:
     with open_reader(path) as reader:
         header = reader.header
     header.vlrs[:] = [record for record in header.vlrs if record.user_id != "copc"]
-    if header.version < laspy.header.Version(1, 2):
-        header.version = laspy.header.Version(1, 2)
+    header.version = min(max(header.version, laspy.header.Version(1, 2)), laspy.header.Version(1, 4))
     return header, [record for record in header.evlrs or [] if record.user_id != "copc"]
 
 
@@ -106,7 +105,9 @@ def las_writer(path: Path, header: laspy.LasHeader) -> Iterator[laspy.LasWriter]
     try:
         with (
             path.open("wb") as stream,
-            laspy.LasWriter(stream, header, do_compress=compress, closefd=False) as writer,
+            laspy.LasWriter(
+                stream, header, do_compress=compress, closefd=False, encoding_errors="replace"
+            ) as writer,
         ):
             yield writer
     except lazrs.LazrsError as error:

@@ -6,6 +6,7 @@ from typing import TextIO
 import numpy as np
 import pandas as pd
 
+from ...tables.spreadsheet import safe_cell
 from ..cloud import Cloud
 from ..formats import format_of
 from ..settings import WritingSettings
@@ -31,7 +32,7 @@ def append_rows(
     table.to_csv(
         stream,
         sep=known.separator if known else " ",
-        header=stream.tell() == 0,
+        header=[safe_cell(name) for name in table.columns] if stream.tell() == 0 else False,
         index=False,
         float_format=f"%.{settings.text_decimals}f",
     )

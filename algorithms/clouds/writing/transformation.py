@@ -16,11 +16,11 @@ from ...errors import InputError
 from ...files import atomic_output
 from ...geometry.motion import Motion
 from ...progress import Progress
-from ...reference_systems import name_of, unsuitable_axes
+from ...reference_systems import require_metres
+from ...tables.dialect import Dialect
 from ..formats.las import LasSource, coordinates
 from ..formats.normals import find_normals
 from ..formats.text import TextSource
-from ..formats.text_dialect import Dialect
 from ..formats.text_layout import Layout
 from ..settings import WritingSettings
 from ..source import Source
@@ -61,13 +61,30 @@ def _transformed_name(source: Source) -> str:
     return source.path.name if isinstance(source, (LasSource, TextSource)) else f"{stem}.laz"
 
 
-def unit_warnings(sources: Sequence[Source]) -> tuple[str, ...]:
-    """Return a sentence for each cloud whose reference system is not in metres, as transformations are."""
-    return tuple(
-        f"The coordinates of {source.path} are {unsuitable_axes(source.crs)} ({name_of(source.crs)}), but "
-        "transformations are in metres; convert the cloud to metres first."
-        for source in sources
-        if source.crs and unsuitable_axes(source.crs)
+def refuse_other_units(sources: Sequence[Source]) -> None:
+    """Refuse clouds whose own reference system is not in metres, as transformations are.
+
+    Raises
+    ------
+    InputError
+        Naming the first of them.
+    """
+    for source in sources:
+        if source.crs:
+            require_metres(source.crs, f"{source.path}, which transformations in metres cannot move,")
+
+
+def rounding_warnings(
+    source: Source, matrix: np.ndarray, settings: WritingSettings = WritingSettings()
+) -> tuple[str, ...]:
+    """Return a sentence if the rounded numbers of a matrix move the points by more than scanners measure."""
+    linear = matrix[:3, :3] / np.cbrt(np.linalg.det(matrix[:3, :3]))
+    error = np.abs(linear.T @ linear - np.eye(3)).max() / 2 * np.linalg.norm(source.middle)
+    if error < settings.least_rounding_m:
+        return ()
+    return (
+        f"The matrix for {source.path} is rounded, which moves its points by up to {error:.2g} m, because "
+        "they lie far from 0; write the matrix with more decimals.",
     )
 
 
@@ -131,7 +148,7 @@ def _write_records(
     header.scales = np.clip(source.scales, settings.finest_step_m, settings.coarsest_step_m)
     header.offsets = motion.offset
     with las_writer(path, header) as writer:
-        for records in source.records(progress, settings.chunk_points):
+        for records in source.records(progress, settings.chunk_points, with_unusable=True):
             points = np.empty(len(records), header.point_format.dtype())
             for name in points.dtype.names:
                 points[name] = records[name]
@@ -213,17 +230,17 @@ def _write_text(
     source: TextSource, motion: Motion, path: Path, progress: Progress, settings: WritingSettings
 ) -> int:
     """Write the lines, unchanged except for positions and directions; text cannot hold a CRS."""
-    layout = source.layout
+    layout, rows = source.layout, source.rows
     written = 0
     with path.open("w", encoding=layout.encoding, errors="surrogateescape", newline="") as stream:
         stream.writelines(source.head())
         for lines, values in source.records(progress, settings.text_lines):
             points = iter(
                 _moved_lines(
-                    [line for line in lines if source.is_point(line)], values, layout, motion, settings
+                    [line for line in lines if rows.is_point(line)], values, layout, motion, settings
                 )
             )
-            stream.writelines(next(points) if source.is_point(line) else line for line in lines)
+            stream.writelines(next(points) if rows.is_point(line) else line for line in lines)
             written += len(values)
     return written
 
@@ -233,7 +250,7 @@ def _moved_lines(
 ) -> list[str]:
     dialect, columns = layout.dialect, layout.columns
     rows = [dialect.fields(line) for line in lines]
-    positions = motion.positions(values[:, :3] - motion.origin) + motion.offset
+    positions = (motion.positions(values[:, :3] - motion.origin) + motion.offset) / layout.metres
     _replace(rows, columns.xyz, positions, settings.text_decimals, dialect)
     if columns.normals:
         normals = [[dialect.number(row[column].strip(' "')) for column in columns.normals] for row in rows]
@@ -250,4 +267,6 @@ def _replace(
         for row, number in zip(rows, numbers):
             if math.isfinite(number):
                 blanks = " " if row[column].startswith(" ") else ""
-                row[column] = blanks + f"{number:.{decimals}f}".replace(".", dialect.decimal)
+                text = f"{number:.{decimals}f}".replace(".", dialect.decimal)
+                quote = '"' if dialect.delimiter in text else ""
+                row[column] = f"{blanks}{quote}{text}{quote}"

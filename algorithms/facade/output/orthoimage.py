@@ -8,6 +8,7 @@ from affine import Affine
 from rasterio.features import rasterize
 from scipy.ndimage import distance_transform_edt
 
+from ...errors import InputError
 from ...raster import write_raster
 from ..elevation import Elevation, Points
 from .elevation_layers import ELEVATION_CRS, frame_values
@@ -48,7 +49,7 @@ def write_orthoimage(
     Raises
     ------
     InputError
-        If the file cannot be written.
+        If the image would have too many pixels, or the file cannot be written.
     """
     rows = elevation.rows
     uvw = elevation.frame.local(points.xyz[rows], points.origin)
@@ -60,6 +61,11 @@ def write_orthoimage(
     left, bottom, right, top = elevation.wall.bounds
     corner = math.floor(left / pixel_size) * pixel_size, math.ceil(top / pixel_size) * pixel_size
     shape = math.ceil((corner[1] - bottom) / pixel_size), math.ceil((right - corner[0]) / pixel_size)
+    if shape[0] * shape[1] > settings.most_pixels:
+        raise InputError(
+            f"The orthoimage would have {shape[1]} x {shape[0]} pixels, more than {settings.most_pixels:,}; "
+            "raise PIXEL_SIZE, or cut the cloud to the facade."
+        )
     transform = Affine(pixel_size, 0, corner[0], 0, -pixel_size, corner[1])
     image, filled = paint(uvw, values, corner, shape, pixel_size, settings.layer_m)
     if fill:

@@ -8,12 +8,14 @@ from typing import Any, Optional
 
 import fiona
 import numpy as np
-from fiona.errors import FionaError
 
-from ...clouds.formats.normals import simplified
 from ...errors import InputError
 from ...reference_systems import parse_layer_wkt
-from .point_rows import ROLES, Rows
+from ...tables.column_names import POINTS, simplified
+from ...tables.header import metres_of
+from ...tables.units import unit_of
+from .point_rows import Rows
+from .settings import ListSettings
 
 Attributes = dict[str, Any]
 Feature = tuple[Optional[tuple[float, ...]], Attributes]
@@ -22,7 +24,7 @@ Feature = tuple[Optional[tuple[float, ...]], Attributes]
 SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
 
 
-def read_layer(path: Path, layer: Optional[str]) -> Rows:
+def read_layer(path: Path, layer: Optional[str], settings: ListSettings = ListSettings()) -> Rows:
     """Read a list of points from a file of vector layers.
 
     Raises
@@ -34,7 +36,7 @@ def read_layer(path: Path, layer: Optional[str]) -> Rows:
         If the system refuses to read it.
     """
     with _opened(path, layer) as features:
-        return read_features(str(path), map(_point_and_attributes, features), features.crs_wkt)
+        return read_features(str(path), map(_point_and_attributes, features), features.crs_wkt, settings)
 
 
 def list_name(path: Path, layer: Optional[str]) -> str:
@@ -43,24 +45,31 @@ def list_name(path: Path, layer: Optional[str]) -> str:
         return layer if layer and len(_point_layers(path)) > 1 else path.stem
 
 
-def read_features(source: str, features: Iterable[Feature], wkt: str) -> Rows:
+def read_features(
+    source: str, features: Iterable[Feature], wkt: str, settings: ListSettings = ListSettings()
+) -> Rows:
     """Make rows of features; see `point_list.points_of_features`.
 
     Raises
     ------
     InputError
-        If they are not points with heights in metres.
+        If they are not points with heights in metres, or more than a list has.
     """
     points: list[tuple[float, ...]] = []
     attributes: list[Attributes] = []
     for number, (point, values) in enumerate(features, start=1):
         if point is None:
             raise InputError(f"Feature {number} of {source} is not a single point; remove it or split it up.")
+        if number > settings.most_points:
+            raise InputError(
+                f"{source} has more than {settings.most_points} points, too many for a list; choose the "
+                "list, not a cloud."
+            )
         points.append(point)
         attributes.append(values)
     if not points:
         raise InputError(f"{source} holds no points; choose another layer.")
-    xyz = _positions(source, points, attributes)
+    xyz, warnings = _positions(source, points, attributes)
     lost = np.flatnonzero(~np.isfinite(xyz).all(axis=1))
     if len(lost):
         raise InputError(
@@ -68,7 +77,7 @@ def read_features(source: str, features: Iterable[Feature], wkt: str) -> Rows:
         )
     names = _names(source, attributes)
     places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
-    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source))
+    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source), warnings)
 
 
 @contextmanager
@@ -127,8 +136,18 @@ def _point_layers(path: Path) -> list[str]:
 def _gdal_errors_named(path: Path) -> Iterator[None]:
     try:
         yield
-    except (FionaError, RuntimeError) as error:
-        raise InputError(f"{path} cannot be read as a layer ({error}); save it again.") from error
+    except (InputError, OSError) as error:
+        if isinstance(error, InputError) or error.errno:
+            raise
+        raise _unreadable(path, error) from error
+    # Damaged files raise errors of the driver, of texts and of geometries, which have no common base.
+    except Exception as error:
+        raise _unreadable(path, error) from error
+
+
+def _unreadable(path: Path, error: Exception) -> InputError:
+    reason = " ".join(str(error).split())
+    return InputError(f"{path} cannot be read as a layer ({reason}); save it again.")
 
 
 def _point_and_attributes(feature: fiona.Feature) -> Feature:
@@ -140,15 +159,28 @@ def _point_and_attributes(feature: fiona.Feature) -> Feature:
     return coordinates if kind == "Point" else None, dict(feature["properties"])
 
 
-def _positions(source: str, points: list[tuple[float, ...]], attributes: list[Attributes]) -> np.ndarray:
-    if all(len(point) == 3 for point in points):
-        return np.array(points, dtype=np.float64)
+def _positions(
+    source: str, points: list[tuple[float, ...]], attributes: list[Attributes]
+) -> tuple[np.ndarray, tuple[str, ...]]:
+    """Return the positions, and a warning if their heights are those of a field although they have Z."""
     field = next(iter(_fields(attributes, "z")), None)
+    plane = np.array([point[:2] for point in points], dtype=np.float64)
+    if all(len(point) == 3 for point in points):
+        heights = np.array([point[2] for point in points], dtype=np.float64)
+        if field is None or heights.any():
+            return np.column_stack([plane, heights]), ()
     if field is None:
         raise InputError(
             f"The points of {source} have no heights; give them Z values, or a field of numbers called z."
         )
-    return np.array([[*point[:2], _number(values[field])] for point, values in zip(points, attributes)])
+    factor = metres_of(Path(source), unit_of(field))
+    numbers = np.array([_number(values[field]) for values in attributes]) * factor
+    if len(points[0]) < 3:
+        return np.column_stack([plane, numbers]), ()
+    if not numbers.any() or not np.isfinite(numbers).all():
+        return np.column_stack([plane, heights]), ()
+    said = f"Z is 0 everywhere in {source}, so the heights are those of its field {field}."
+    return np.column_stack([plane, numbers]), (said,)
 
 
 def _number(value: Any) -> float:
@@ -163,7 +195,7 @@ def _fields(attributes: list[Attributes], role: str) -> list[str]:
     found: dict[str, str] = {}
     for field in attributes[0]:
         found.setdefault(simplified(field), field)
-    return [found[alias] for alias in ROLES[role] if alias in found]
+    return [found[alias] for alias in POINTS[role] if alias in found]
 
 
 def _names(source: str, attributes: list[Attributes]) -> Optional[tuple[str, ...]]:

@@ -60,7 +60,6 @@ def read_point_list(
     layer : str, optional
         Which layer of a GeoPackage.
     settings : ListSettings
-        Of text files.
 
     Raises
     ------
@@ -71,7 +70,7 @@ def read_point_list(
     path = Path(path)
     try:
         is_layer = path.suffix.lower() in SUFFIXES
-        rows = read_layer(path, layer) if is_layer else read_text(path, settings)
+        rows = read_layer(path, layer, settings) if is_layer else read_text(path, settings)
         name = list_name(path, layer) if is_layer else path.stem
     except OSError as error:
         raise unreadable(path, error) from error

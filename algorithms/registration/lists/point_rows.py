@@ -6,19 +6,6 @@ from typing import Optional
 import numpy as np
 from rasterio.crs import CRS
 
-from ...clouds.formats.text_header import NAMES
-
-# What columns and fields are called, in the spelling of `clouds.normals.simplified`.
-ROLES = {
-    **NAMES,
-    "name": (
-        *("name", "pointname", "ptname", "label", "labelname", "point", "pt", "punkt", "pkt", "target"),
-        *("pointid", "ptid", "pointno", "pointnumber", "ptno", "ptnr", "punktnummer", "punktnr", "pktnr"),
-        *("id", "nr", "no", "number", "nummer", "num", "localindex", "globalindex"),
-        *("nr.", "no.", "pointno.", "ptno.", "ptnr.", "punktnr.", "pktnr."),
-    ),
-}
-
 
 @dataclass(frozen=True)
 class Rows:

@@ -1,28 +1,28 @@
 """Lists of points as text: x y z or name x y z, as surveyors, programs and spreadsheets write them."""
 
-import io
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
-from ...clouds.formats.text_dialect import (
-    BYTE_ORDER_MARKS,
-    NUMBER,
+from ...errors import InputError
+from ...tables.column_names import POINTS
+from ...tables.dialect import (
     Dialect,
-    decimal_sign,
+    decimal_signs,
     delimiter_and_width,
+    ends_cut_off,
     is_comment,
+    is_number,
     split,
 )
-from ...clouds.formats.text_header import read_preamble
-from ...errors import InputError
-from .point_rows import ROLES, Rows
+from ...tables.encoding import read_lines
+from ...tables.header import Header, read_preamble
+from .point_rows import Rows
 from .settings import ListSettings
 
-OTHER_UNIT = re.compile(r"[\[(](mm|cm|dm|km|in|ft|us-?ft|feet)[\])]", re.IGNORECASE)
 DELIMITERS = (";", "\t", ",", " ")
 REMEDY = "name the columns in a first line, as 'name x y z' or 'x y z intensity'."
 
@@ -57,47 +57,45 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     OSError
         If the system refuses to read it.
     """
-    lines = _lines(path, settings)
+    lines = read_lines(path, 2 * settings.most_points, "a list of points")
     delimiter, width = delimiter_and_width(path, lines)
     points = [not _is_remark(line, delimiter, width) and _numbers(line, delimiter) >= 3 for line in lines]
     first = points.index(True)
     _refuse_lost_points(path, lines[:first])
-    header, _ = read_preamble(path, lines[:first], delimiter, width, ROLES)
-    numbered = enumerate(lines[first:], start=first + 1)
-    rows = {
-        number: split(line, delimiter) for number, line in numbered if not _is_remark(line, delimiter, width)
-    }
+    header = read_preamble(path, lines[:first], delimiter, width, POINTS)
+    numbered = [
+        (number, line)
+        for number, line in enumerate(lines[first:], start=first + 1)
+        if not _is_remark(line, delimiter, width)
+    ]
+    if ends_cut_off([line for _, line in numbered], delimiter):
+        raise InputError(
+            f"Line {numbered[-1][0]} of {path}, the last, is cut off; copy or export the list again."
+        )
+    rows = {number: split(line, delimiter) for number, line in numbered}
     regular = [row for row in rows.values() if len(row) == width]
-    columns = _columns_by_name(header) if header else _columns_by_content(path, regular, delimiter, settings)
-    _refuse_other_units(path, [split(line, delimiter) for line in lines[:first]], columns)
+    columns = (
+        _columns_by_name(header, regular)
+        if header.columns
+        else _columns_by_content(path, regular, delimiter, settings)
+    )
     coordinates = [[row[column] for column in columns.xyz] for row in regular]
-    dialect = Dialect(delimiter, decimal_sign(path, coordinates, delimiter, header), width)
+    signs = decimal_signs(path, coordinates, delimiter, bool(header.columns))
+    dialect = Dialect(delimiter, signs[0], width, signs[1])
     _refuse_bad_rows(path, rows, dialect, columns)
+    xyz = np.array([[dialect.number(row[column]) for column in columns.xyz] for row in rows.values()])
+    metres = header.factors(path)
+    units = sorted({unit for unit, factor in zip(header.units.values(), metres) if factor != 1})
     return Rows(
         source=str(path),
         places=tuple(f"line {number}" for number in rows),
         names=_names(rows.values(), columns.name) if columns.name else None,
-        xyz=np.array([[dialect.number(row[column]) for column in columns.xyz] for row in rows.values()]),
-        warnings=_warnings(path, rows.values(), columns),
+        xyz=xyz * metres,
+        warnings=(
+            *(f"{path} gives coordinates in {unit}; they were converted to metres." for unit in units),
+            *_warnings(path, rows.values(), columns),
+        ),
     )
-
-
-def _lines(path: Path, settings: ListSettings) -> list[str]:
-    size = path.stat().st_size
-    if size > settings.most_bytes:
-        raise InputError(
-            f"{path} is too large for a list of points ({size / 2**20:.0f} MB); choose the list, not a cloud."
-        )
-    content = path.read_bytes()
-    encoding = next((name for mark, name in BYTE_ORDER_MARKS.items() if content.startswith(mark)), "utf-8")
-    if encoding != "utf-16" and b"\0" in content:
-        raise InputError(f"{path} is not a text file; export the list of points as text or as a layer.")
-    try:
-        text = content.decode(encoding)
-    except UnicodeDecodeError:
-        # Latin-1 has a letter for every byte, so that different names remain different.
-        text = content.decode("latin-1")
-    return list(io.StringIO(text, newline=None))
 
 
 def _is_remark(line: str, delimiter: str, width: int) -> bool:
@@ -108,7 +106,7 @@ def _is_remark(line: str, delimiter: str, width: int) -> bool:
 
 
 def _numbers(line: str, delimiter: str) -> int:
-    return sum(bool(NUMBER.fullmatch(field)) for field in split(line, delimiter))
+    return sum(map(is_number, split(line, delimiter)))
 
 
 def _refuse_lost_points(path: Path, preamble: list[str]) -> None:
@@ -121,17 +119,18 @@ def _refuse_lost_points(path: Path, preamble: list[str]) -> None:
             )
 
 
-def _columns_by_name(header: dict[str, int]) -> ListColumns:
-    name = (header["name"],) if "name" in header else ()
-    return ListColumns(name, (header["x"], header["y"], header["z"]))
+def _columns_by_name(header: Header, rows: list[list[str]]) -> ListColumns:
+    columns = header.columns
+    xyz = (columns["x"], columns["y"], columns["z"])
+    name = columns.get("name", _unknown_names(rows, tuple(columns.values())))
+    return ListColumns(() if name is None else (name,), xyz)
 
 
-def _refuse_other_units(path: Path, preamble: list[list[str]], columns: ListColumns) -> None:
-    for fields in preamble:
-        units = [OTHER_UNIT.search(fields[column]) for column in columns.xyz if column < len(fields)]
-        if len(units) == 3 and any(units):
-            unit = next(match.group(1) for match in units if match)
-            raise InputError(f"The header of {path} gives coordinates in {unit}; convert them to metres.")
+def _unknown_names(rows: list[list[str]], known: tuple[int, ...]) -> Optional[int]:
+    """Return the first column if its heading is unknown, but its words or whole numbers are all different."""
+    labels = _column(rows, 0)
+    words = all(label and (label.isdecimal() or not is_number(label)) for label in labels)
+    return 0 if 0 not in known and words and len(set(labels)) == len(labels) > 1 else None
 
 
 def _columns_by_content(
@@ -140,8 +139,8 @@ def _columns_by_content(
     """Distinguish names from coordinates by the content of `rows`, which have one width."""
     # Six whole numbers between commas may be three with decimal commas; fewer cannot.
     if delimiter == "," and len(rows[0]) > 5:
-        decimal_sign(path, rows, delimiter, {})
-    shares = np.mean([[bool(NUMBER.fullmatch(field)) for field in row] for row in rows], axis=0)
+        decimal_signs(path, rows, delimiter, False)
+    shares = np.mean([[is_number(field) for field in row] for row in rows], axis=0)
     numeric = np.flatnonzero(shares >= settings.least_numeric_share).tolist()
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as name x y z.")
@@ -160,7 +159,7 @@ def _columns_by_content(
 def _are_names(path: Path, rows: list[list[str]], numeric: list[int]) -> bool:
     """Return whether the first of four or more columns of numbers holds names, not coordinates."""
     labels = _column(rows, numeric[0])
-    numbers = [label for label in labels if NUMBER.fullmatch(label)]
+    numbers = [label for label in labels if is_number(label)]
     whole = [label for label in numbers if label.isdecimal()]
     some_are_words = len(numbers) < len(labels)
     if len(whole) == len(numbers):
@@ -210,7 +209,7 @@ def _refuse_bad_rows(path: Path, rows: dict[int, list[str]], dialect: Dialect, c
 
 
 def _has_number(row: list[str], column: int) -> bool:
-    return len(row) > column and bool(NUMBER.fullmatch(row[column]))
+    return len(row) > column and is_number(row[column])
 
 
 def _problem(row: list[str], dialect: Dialect, columns: ListColumns, only_remarks_follow: bool) -> str:

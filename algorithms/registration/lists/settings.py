@@ -7,10 +7,10 @@ from ...settings import judged, physical
 
 @dataclass(frozen=True)
 class ListSettings:
-    """Lists of points as text."""
+    """Lists of points."""
 
-    most_bytes: int = physical(
-        2**20, "About 20 000 points; a larger file is a cloud that was chosen by mistake."
+    most_points: int = physical(
+        20_000, "More than anybody picks or surveys; a longer list is a cloud that was chosen by mistake."
     )
     least_numeric_share: float = judged(
         0.5, "A column with numbers in this share of its rows holds coordinates; the other rows are faulty."

@@ -2,21 +2,33 @@
 
 import json
 import math
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
 
 import numpy as np
+from pyproj.exceptions import ProjError
 from rasterio.crs import CRS
 from rasterio.errors import CRSError
 
 from ...errors import InputError
 from ...files import atomic_output
+from ...reference_systems import horizontal, is_local, require_metres
 from ..results import REGISTERED, Correspondence, Registration, ScanRegistration
 
-ORTHOGONAL = 1e-6
+ORTHOGONAL = 5e-6
 """Largest difference between R'R of a matrix m R and the identity: that of six written decimals."""
+
+MOST_BYTES = 64 * 2**20
+"""Of a file; thousands of scans take less."""
+
+SCALES = (1e-4, 1e4)
+"""Smallest and largest scale: from a tenth of a millimetre, or from ten kilometres, to a metre."""
+
+FARTHEST = 1e8
+"""Largest shift (m); no two points of the earth are so far apart."""
 
 
 @dataclass(frozen=True)
@@ -144,19 +156,21 @@ def read_transforms(path: Path) -> Transforms:
     """
     path = Path(path)
     try:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(f"{path} is too large; choose the TRANSFORMS of registerscans.")
         document = json.loads(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise InputError(
             f"{path} cannot be read ({error.strerror or error}); check that it exists and may be read."
         ) from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not json ({error}); choose the TRANSFORMS of registerscans.") from error
     entries = document.get("scans") if isinstance(document, dict) else None
     if not (isinstance(entries, list) and entries):
         raise InputError(f"{path} lists no scans; choose the TRANSFORMS of registerscans.")
     scans = tuple(_read_scan(path, number, entry) for number, entry in enumerate(entries, start=1))
-    names = [scan.name for scan in scans]
-    repeated = next((name for name in names if names.count(name) > 1), None)
+    counts = Counter(scan.name for scan in scans)
+    repeated = next((name for name, count in counts.items() if count > 1), None)
     if repeated:
         raise InputError(f"{path} lists the scan {repeated} twice; remove one entry.")
     return Transforms(path, scans, _read_crs(path, document.get("crs")))
@@ -180,7 +194,7 @@ def _read_scan(path: Path, number: int, entry: Any) -> ScanTransform:
 def _matrix(given: Any) -> np.ndarray:
     try:
         return np.array(given, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return np.empty(0)
 
 
@@ -192,10 +206,15 @@ def _problem(matrix: np.ndarray) -> str:
         return "holds something that is not a number"
     if not np.array_equal(matrix[3], [0, 0, 0, 1]):
         return "does not end in the row 0 0 0 1"
-    determinant = np.linalg.det(matrix[:3, :3])
+    if np.abs(matrix[:3, 3]).max() > FARTHEST:
+        return f"moves the scan by {np.abs(matrix[:3, 3]).max():.0e} m"
+    with np.errstate(over="ignore", invalid="ignore"):
+        determinant = np.linalg.det(matrix[:3, :3])
     if determinant < 0:
         return "mirrors the scan"
     scale = np.cbrt(determinant)
+    if scale and not SCALES[0] <= scale <= SCALES[1]:
+        return f"has a scale of {scale:.1e}"
     rotation = matrix[:3, :3] / (scale or 1.0)
     if np.abs(rotation.T @ rotation - np.eye(3)).max() > ORTHOGONAL:
         return "distorts the scan because its rotation is not orthogonal"
@@ -206,12 +225,19 @@ def _read_crs(path: Path, text: Any) -> Optional[CRS]:
     if not text:
         return None
     try:
-        return CRS.from_user_input(text)
-    except CRSError as error:
+        if not isinstance(text, str):
+            raise ValueError("not a text")
+        crs = horizontal(CRS.from_user_input(text))
+        local = is_local(crs)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+    except (CRSError, ProjError, ValueError) as error:
         raise InputError(
             f"The coordinate reference system in {path} cannot be understood; "
             "write it as WKT or like EPSG:25832."
         ) from error
+    require_metres(crs, f"the control points in {path}")
+    return None if local else crs
 
 
 def match_clouds(

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from ...files import atomic_output
+from ...tables.spreadsheet import safe_cell
 from .simulation import SUCCESS, Simulation
 
 FIELDS = ("trial", "points", "outcome", "success", "wrong", "shift_error", "rotation_error", "sigma0")
@@ -26,4 +27,6 @@ def write_trials(simulation: Simulation, path: Path) -> None:
             errors = (trial.shift_error, trial.rotation_error, trial.sigma0)
             written = ("" if np.isnan(value) else f"{value:.6f}" for value in errors)
             success = int(trial.outcome == SUCCESS)
-            rows.writerow((row, ";".join(trial.points), trial.outcome, success, trial.wrong, *written))
+            rows.writerow(
+                (row, safe_cell(";".join(trial.points)), trial.outcome, success, trial.wrong, *written)
+            )

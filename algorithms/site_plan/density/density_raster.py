@@ -14,6 +14,7 @@ from ...raster import write_raster
 from ...reference_systems import require_metres
 from ..walls.height_gate import Heights
 from .density_image import DensityImage
+from .settings import SiteSettings
 
 BANDS = ("density", "occupied height", "base", "top", "ground", "spread", "hanging height")
 """Descriptions of the bands of a density raster."""
@@ -56,32 +57,48 @@ def write_density(path: Path, image: DensityImage) -> None:
     write_raster(path, dict(zip(BANDS, arrays)), image.transform, image.crs)
 
 
-def read_density(path: Path) -> DensityRaster:
+def read_density(path: Path, settings: SiteSettings = SiteSettings()) -> DensityRaster:
     """Read a density raster; without all of `BANDS`, the first band is the density.
 
     Raises
     ------
     InputError
-        If the file is not a raster, is rotated or has oblong pixels, is not in metres, or holds no density.
+        If the file is not a raster, is too large, is rotated or has oblong pixels, is not in metres, or holds
+        no density.
     """
     path = Path(path)
     if not path.is_file():
         raise InputError(f"INPUT {path}: there is no such file; check the path.")
     try:
         with rasterio.open(path) as raster:
+            _check_size(path, raster, settings)
             bands = dict(zip(raster.descriptions, range(1, raster.count + 1)))
             _check_grid(path, raster)
             complete = set(BANDS) <= set(bands)
             arrays = [_filled(raster, bands[name]) for name in BANDS] if complete else [_filled(raster, 1)]
             transform, crs = raster.transform, raster.crs
-    except (rasterio.errors.RasterioError, OSError) as error:
+    except InputError:
+        raise
+    # Damaged files raise errors of GDAL, of texts and of reference systems, which have no common base.
+    except Exception as error:
         raise InputError(
             f"INPUT {path}: cannot be read as a raster; give the output of 'densityimage'."
         ) from error
+    if any(np.isinf(values).any() for values in arrays):
+        raise InputError(f"INPUT {path}: holds infinite values; give the output of 'densityimage'.")
     density, *rest = arrays
     if not (density > 0).any():
         raise InputError(f"INPUT {path}: holds no density above 0; is it the right raster?")
     return DensityRaster(density, Heights(*rest) if rest else None, transform, crs, () if crs else (NO_CRS,))
+
+
+def _check_size(path: Path, raster: rasterio.DatasetReader, settings: SiteSettings) -> None:
+    """Refuse a raster before memory is claimed for it."""
+    if raster.width * raster.height > settings.most_pixels:
+        raise InputError(
+            f"INPUT {path}: has {raster.width} x {raster.height} pixels, more than {settings.most_pixels:,}; "
+            "cut it to the site, or make it with a larger PIXEL_SIZE."
+        )
 
 
 def _check_grid(path: Path, raster: rasterio.DatasetReader) -> None:

@@ -1,5 +1,8 @@
 """Write clouds in formats that only the plugin reads."""
 
+import struct
+
+import laspy
 import numpy as np
 import pytest
 
@@ -95,3 +98,36 @@ def _append_scan(libe57, image, fields):
     writer = points.writer(buffers)
     writer.write(len(values))
     writer.close()
+
+
+def leave_usable(records):
+    """Make random records of a LAS neither withheld nor noise."""
+    if "raw_classification" in records.dtype.names:
+        records["raw_classification"] = records["raw_classification"] % 7
+    else:
+        records["classification"] = records["classification"] % 7
+        records["classification_flags"] &= 0b1111_1011
+
+
+def las_records(count, point_format=3):
+    """Return a header and points with random coordinates and intensity."""
+    rng = np.random.default_rng(0)
+    header = laspy.LasHeader(point_format=point_format)
+    header.scales = np.full(3, 0.001)
+    points = laspy.ScaleAwarePointRecord.zeros(count, header=header)
+    for name in "XYZ":
+        points[name] = rng.integers(-100_000, 100_000, count)
+    points["intensity"] = rng.integers(1, 65535, count)
+    return header, points
+
+
+def write_las(path, header, points):
+    """Write records as LAS or LAZ."""
+    with laspy.open(path, "w", header=header) as writer:
+        writer.write_points(points)
+    return path
+
+
+def table_of(data):
+    """Return where the table of the chunks of a LAZ begins."""
+    return struct.unpack_from("<q", data, struct.unpack_from("<I", data, 96)[0])[0]

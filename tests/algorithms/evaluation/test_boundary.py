@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.evaluation.boundary import Boundary, Pieces, cut_boundary, measure_boundary
 from ichnograph.algorithms.evaluation.settings import ComparisonSettings
 from shapely.geometry import LineString, MultiPolygon, Polygon, box
@@ -73,3 +74,8 @@ def test_shares_and_quantiles_are_weighted_by_length():
     assert boundary.quantile(0.5, 0.1) == 0.02
     assert np.isnan(boundary.quantile(0.5, 0.001))
     assert boundary.share_within(0.001) == 0
+
+
+def test_outlines_of_a_country_are_refused():
+    with pytest.raises(InputError, match="are 4000 km long, more than 100 km"):
+        cut_boundary(box(0, 0, 1e6, 1e6), 0.02)

@@ -30,8 +30,18 @@ def test_a_schedule_has_lengths_with_standard_deviations_where_they_are_known(wr
         "id,dimension,length\n1,width,1.2\n2,Height,2.0\n",
         "ID; Width; Height\n1; 1,2;\n2; ; 2,0\n",
         "\ufeffid,width,height\r\n1,1.2,\r\n\r\n2,,2.0\r\n",
+        "id\twidth\theight\n1\t1.2\t\n2\t\t2.0\n",
+        "sep=;\nNr;Breite;Höhe\n1;1,2;\n2;;2,0\n;;\n",
+        'id,width,height\n1,"1,2",\n2,,"2,0"\n',
+        "id,width [mm],height [cm]\n1,1200,\n2,,200\n",
+        "Numéro;Mesure;Longueur\n1;Largeur;1,2\n2;Hauteur;2,0\n",
+        "Número;Ancho;Alto;Nota\n1;1,2;;\n2;;2,0;x\n",
+        "id;larghezza;altezza\n;[m];[m]\n1;1,2;\n2;;2,0\n",
     ],
-    ids=["long", "semicolons and decimal commas", "spreadsheet"],
+    ids=[
+        *("long", "semicolons and decimal commas", "spreadsheet", "tabs", "German", "quoted", "millimetres"),
+        *("French", "Spanish", "Italian, with a line of units"),
+    ],
 )
 def test_a_reference_may_be_written_in_several_ways(write, content):
     found = read_reference(write(content)).lengths
@@ -39,15 +49,26 @@ def test_a_reference_may_be_written_in_several_ways(write, content):
     assert [item[:3] for item in found] == [("1", "width", 1.2), ("2", "height", 2.0)]
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "cp1252"])
+def test_the_encoding_changes_nothing(tmp_path, encoding):
+    path = tmp_path / "tape.csv"
+    path.write_bytes("Nr;Breite;Höhe;Bemerkung\n1;0,9;1,6;Küche\n".encode(encoding))
+
+    assert [item[:3] for item in read_reference(path).lengths] == [("1", "width", 0.9), ("1", "height", 1.6)]
+
+
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
-        ("name,width\n1,1.2\n", "has no column id; add or rename it"),
+        ("colour,width\n1,1.2\n", "has no column id; add or rename it"),
         ("id,breadth\n1,1.2\n", "has no lengths; name its columns id, width, height and sill, or"),
         ("id,width\n1,wide\n", "Line 2 of .*: the width wide is not a length in metres"),
         ("id,width\n1,inf\n", "Line 2 of .*: the width inf is not a length in metres"),
         ("id,dimension,length\n1,depth,1.2\n", "Line 2 of .*: the dimension must be .*, not depth"),
         ("", "has no column id"),
+        ("id,width,height\n1,0,900,1,600\n", "Line 2 of .* has 5 fields where the header names 3 columns"),
+        ("id,width,height\n1,0.9\n", "Line 2 of .* has 2 fields where the header names 3 columns"),
+        ("id,width [ft]\n1,3\n", "gives lengths in ft; convert them to metres"),
     ],
 )
 def test_a_bad_reference_is_refused_by_name(write, content, sentence):

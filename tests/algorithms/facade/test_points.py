@@ -4,6 +4,7 @@ import laspy
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.facade.points import read_points
 from ichnograph.algorithms.facade.settings import ThinningSettings
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
@@ -35,6 +36,13 @@ def test_colour_is_0_to_255_whatever_the_file_has(tmp_path, factor):
     np.testing.assert_allclose(
         points.rgb, np.column_stack([raw.red, raw.green, raw.blue]) / factor, atol=0.01
     )
+
+
+def test_points_that_reach_farther_than_any_facade_are_refused_before_rasters_are_made(tmp_path):
+    path = tmp_path / "a.xyz"
+    path.write_text("".join(f"{x} 0.5 {z}.5\n" for x in ("0.5", "10000.5") for z in range(10)))
+    with pytest.raises(InputError, match="reach over 10000 m, more than the 2000 m of any facade"):
+        read_points(open_cloud([path]))
 
 
 def test_a_file_without_colour_or_intensity_has_none(tmp_path):

@@ -87,8 +87,8 @@ def test_intensity_is_brought_to_16_bits_by_its_limits(tmp_path, values, limits,
     np.testing.assert_array_equal(read(write_e57(tmp_path / "a.e57", scan))[1], expected)
 
 
-@pytest.mark.parametrize(("brightest", "factor"), [(255, 257), (65535, 1)])
-def test_colour_is_brought_to_16_bits_by_its_limits(tmp_path, brightest, factor):
+@pytest.mark.parametrize("brightest", [255, 65535])
+def test_colour_is_brought_to_16_bits_by_its_values_whatever_is_announced(tmp_path, brightest):
     names = ("colorRed", "colorGreen", "colorBlue")
     limits = {
         f"colorLimits/{name}{end}": value
@@ -96,7 +96,14 @@ def test_colour_is_brought_to_16_bits_by_its_limits(tmp_path, brightest, factor)
         for end, value in (("Minimum", 0), ("Maximum", brightest))
     }
     scan = fields(colorRed=[200, 0, 1], colorGreen=[0, 100, 1], colorBlue=[0, 0, 50], limits=limits)
-    expected = np.array([[200, 0, 0], [0, 100, 0], [1, 1, 50]]) * factor
+    expected = np.array([[200, 0, 0], [0, 100, 0], [1, 1, 50]]) * 257
+    np.testing.assert_array_equal(read(write_e57(tmp_path / "a.e57", scan))[2], expected)
+
+
+@pytest.mark.parametrize(("values", "factor"), [([0.0, 0.5, 1.0], 65535), ([0.0, 7.0, 255.0], 257)])
+def test_colour_in_floating_point_without_limits_is_brought_to_16_bits(tmp_path, values, factor):
+    scan = fields(**dict.fromkeys(("colorRed", "colorGreen", "colorBlue"), np.array(values)))
+    expected = np.rint(np.array([values] * 3).T * factor)
     np.testing.assert_array_equal(read(write_e57(tmp_path / "a.e57", scan))[2], expected)
 
 

@@ -46,19 +46,36 @@ def test_the_pose_is_a_rotation_by_a_quaternion_and_a_shift(scan):
     np.testing.assert_array_equal(found.shift, [100, 200, 300])
 
 
+def test_limits_are_those_of_the_header_or_else_of_the_type(scan):
+    limits = {"intensityLimits/intensityMinimum": 0, "intensityLimits/intensityMaximum": 0.5}
+    colour = dict.fromkeys(("colorRed", "colorGreen", "colorBlue"), np.array([0, 1, 255]))
+    found = scan(**XYZ, **colour, intensity=[0.1, 0.2, 0.3], limits=limits)
+    assert (found.intensity_limits, found.brightest) == ((0, 0.5), 255)
+
+
+def test_limits_that_nothing_announces_are_unknown(scan):
+    assert np.isnan([*scan(**XYZ).intensity_limits, scan(**XYZ).brightest]).all()
+
+
 @pytest.mark.parametrize(
-    ("low", "high", "scale"),
-    [(0, 1, (0, 65535)), (0, 0.4, (0, 65535)), (-2048, 2047, (2048, 65535 / 4095)), (5, 5, (0, 1))],
+    ("pose", "problem"),
+    [
+        (((1, 0, 0, 0), (1e300, 0, 0)), "moves the points by"),
+        (((1, 0, 0, 0), (0, 0, -1e12)), "moves the points by"),
+    ],
 )
-def test_announced_limits_of_intensity_decide_its_scale(scan, low, high, scale):
-    limits = {"intensityLimits/intensityMinimum": low, "intensityLimits/intensityMaximum": high}
-    assert scan(**XYZ, intensity=[0.1, 0.2, 0.3], limits=limits).intensity == pytest.approx(scale)
+def test_a_pose_that_moves_no_points_is_refused(scan, pose, problem):
+    with pytest.raises(InputError, match=f"pose of scan 1 of .*a.e57 {problem}"):
+        scan(**XYZ, pose=pose)
 
 
-@pytest.mark.parametrize(("brightest", "factor"), [(255, 257), (4095, 1)])
-def test_the_type_of_a_colour_decides_its_factor(scan, brightest, factor):
-    colour = dict.fromkeys(("colorRed", "colorGreen", "colorBlue"), np.array([0, 1, brightest]))
-    assert scan(**XYZ, **colour).rgb_factor == factor
+@pytest.mark.parametrize(
+    ("quaternion", "doubt"), [((0, 0, 0, 0), "is all zero"), ((2, 0, 0, 0), "has the length 2 instead of 1")]
+)
+def test_a_quaternion_that_is_no_rotation_is_said(scan, quaternion, doubt):
+    found = scan(**XYZ, pose=(quaternion, (1, 2, 3)))
+    np.testing.assert_array_equal(found.rotation, np.eye(3))
+    assert doubt in found.warnings[0]
 
 
 def test_a_scan_without_coordinates_is_refused(scan):

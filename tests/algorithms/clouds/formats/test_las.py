@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.las import LasSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
+from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_las
 from laspy.vlrs.known import LasZipVlr, WktCoordinateSystemVlr
 from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
@@ -234,3 +235,42 @@ def test_cancelling_stops_between_chunks(tmp_path):
 def test_files_of_other_programs(name, count):
     source = LasSource.open(DATA / name)
     assert sum(len(chunk.xyz) for chunk in source.chunks(source.middle, Progress(), 300_000)) == count
+
+
+@pytest.mark.parametrize(
+    ("point_format", "fields"),
+    [
+        (3, {"raw_classification": [2, 7, 2 | 128, 18, 0]}),
+        (6, {"classification": [2, 7, 2, 18, 0], "classification_flags": [0, 0, 4, 0, 0]}),
+    ],
+)
+def test_points_that_are_withheld_or_noise_are_left_out_and_said(tmp_path, point_format, fields):
+    header, points = las_records(5, point_format)
+    for name, values in fields.items():
+        points.array[name] = values
+    path = write_las(tmp_path / "scan.las", header, points)
+    source, said = LasSource.open(path), []
+    progress = Progress(lambda fraction, message: said.append(message))
+    (chunk,) = source.chunks(np.zeros(3), progress, 100)
+
+    # The newer formats alone have a class for high noise.
+    kept = [0, 3, 4] if point_format == 3 else [0, 4]
+    np.testing.assert_allclose(chunk.xyz[:, 0], points["X"][kept] * 0.001)
+    assert f"scan.las: {5 - len(kept)} withheld points and points of noise were left out." in said
+    assert f"{1 - len(kept) / 5:.1%} of the points of" in source.warnings[0]
+    (everything,) = source.records(Progress(), 100, with_unusable=True)
+    assert len(everything) == 5
+
+
+def test_a_file_of_noise_alone_holds_no_points(tmp_path):
+    header, points = las_records(5)
+    points.array["raw_classification"] = 7
+    with pytest.raises(InputError, match="holds no points"):
+        LasSource.open(write_las(tmp_path / "scan.las", header, points))
+
+
+def test_a_negative_scale_mirrors_and_is_refused(tmp_path):
+    header, points = las_records(5)
+    header.scales = np.array([-0.001, 0.001, 0.001])
+    with pytest.raises(InputError, match="is mirrored by a negative scale"):
+        LasSource.open(write_las(tmp_path / "scan.las", header, points))

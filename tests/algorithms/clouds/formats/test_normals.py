@@ -1,12 +1,7 @@
 """Normals are found among the attributes, whatever programs call them."""
 
 import pytest
-from ichnograph.algorithms.clouds.formats.normals import find_normals, simplified
-
-
-@pytest.mark.parametrize("name", ["Normal_X", "normal x", "normalX [m]", "NORMAL-X (unit)"])
-def test_spelling_units_and_blanks_do_not_matter(name):
-    assert simplified(name) == "normalx"
+from ichnograph.algorithms.clouds.formats.normals import find_normals
 
 
 @pytest.mark.parametrize(

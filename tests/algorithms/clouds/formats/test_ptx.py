@@ -86,6 +86,72 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, old, new, sent
     assert str(path) in str(caught.value)
 
 
+def test_intensity_of_8_bits_is_brought_to_16(tmp_path):
+    cells = np.array([[1.5, 2.25, 3, 0], [4, 5, 6, 128], [7, 8, 9, 255]])
+    np.testing.assert_array_equal(read(write_ptx(tmp_path / "a.ptx", cells))[1], [0, 128 * 257, 65535])
+
+
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+@pytest.mark.parametrize("blank", ["", "\n", "  \n\n"])
+def test_blank_lines_and_a_byte_order_mark_do_not_matter(tmp_path, mark, blank):
+    path = write_ptx(tmp_path / "a.ptx", CELLS)
+    scan = path.read_text()
+    path.write_text(
+        f"{mark}{blank}{scan}{blank}{scan.replace('4 5 6 1', blank + '4 5 6 1')}{blank}", encoding="utf-8"
+    )
+    np.testing.assert_array_equal(read(path, 2)[0], [[1.5, 2.25, 3], [4, 5, 6]] * 2)
+
+
+@pytest.mark.parametrize(
+    ("pose", "problem"),
+    [
+        (np.zeros((4, 4)), "is all zero, so that every point would lie in one position"),
+        (np.diag([-1.0, 1, 1, 1]), "mirrors the points"),
+        (np.diag([np.nan, 1, 1, 1]), "holds something that is not a number"),
+        (np.diag([1, 1, 0.0, 1]), "presses or blows up the points"),
+        (
+            np.array([[1, 0, 0, 1e300], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+            r"moves the points by 1e\+300 m",
+        ),
+        (
+            np.array([[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [3, 0, 0, 1]]),
+            "does not end in the column 0 0 0 1",
+        ),
+    ],
+)
+def test_a_pose_that_moves_no_points_is_refused(tmp_path, pose, problem):
+    with pytest.raises(InputError, match=f"pose of the scan in line 1 of .*a.ptx {problem}"):
+        PtxSource.open(write_ptx(tmp_path / "a.ptx", (CELLS, pose)))
+
+
+@pytest.mark.parametrize(
+    ("pose", "doubt"),
+    [
+        (np.diag([2.0, 2, 2, 1]), "scales the points by 2"),
+        (np.diag([1.0, 1, 2, 1]), "distorts the points because its rotation is not orthogonal"),
+    ],
+)
+def test_a_pose_that_does_more_than_turn_and_shift_is_said(tmp_path, pose, doubt):
+    (warning,) = PtxSource.open(write_ptx(tmp_path / "a.ptx", (CELLS, pose))).warnings
+    assert doubt in warning
+
+
+def test_a_number_of_cells_beyond_any_scanner_is_refused(tmp_path):
+    path = write_ptx(tmp_path / "a.ptx", CELLS)
+    path.write_text("1" * 5000 + path.read_text()[1:])
+    with pytest.raises(InputError, match="has no header of a PTX scan"):
+        PtxSource.open(path)
+
+
+def test_a_last_number_that_is_cut_off_is_refused(tmp_path):
+    path = write_ptx(tmp_path / "a.ptx", np.round(np.random.default_rng(0).random((9, 4)) + 1, 3))
+    text = "\n".join(" ".join(f"{float(item):.3f}" for item in line.split()) if number > 9 else line
+                     for number, line in enumerate(path.read_text().splitlines()))  # fmt: skip
+    path.write_text(text[:-2])
+    with pytest.raises(InputError, match="the number at the end of its last line 19 is cut off"):
+        read(path)
+
+
 def test_a_scan_of_empty_cells_is_refused(tmp_path):
     with pytest.raises(InputError, match="holds no points"):
         PtxSource.open(write_ptx(tmp_path / "a.ptx", 0 * CELLS))

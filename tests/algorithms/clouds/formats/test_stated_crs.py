@@ -35,6 +35,23 @@ def test_a_system_of_heights_only_is_ignored_with_a_warning():
     assert warnings == ("scan.las states a system of heights only (EPSG:7837), which is ignored.",)
 
 
+LOCAL = (
+    'ENGCRS["Scanner",EDATUM["scanner"],CS[Cartesian,3],AXIS["x",east],AXIS["y",north],AXIS["z",up],'
+    'LENGTHUNIT["{}",{}]]'
+)
+
+
+def test_a_local_system_counts_as_none_and_is_said():
+    crs, warnings = read_crs(SCAN, lambda: parse_wkt(LOCAL.format("metre", 1)))
+    assert crs is None
+    assert "scan.las states a local system (Scanner)" in warnings[0]
+
+
+def test_a_local_system_in_feet_is_refused():
+    with pytest.raises(InputError, match=r"scan\.las"):
+        read_crs(SCAN, lambda: parse_wkt(LOCAL.format("foot", 0.3048)))
+
+
 def test_heights_in_feet_are_refused_by_the_name_of_the_file():
     with pytest.raises(InputError, match=r"^scan\.las: The heights of .* are in US survey foot"):
         read(CRS.from_string("EPSG:32632+6360"))

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.formats.text_columns import Columns, columns_by_count, columns_by_name
+from ichnograph.algorithms.clouds.settings import TextSettings
 from ichnograph.algorithms.errors import InputError
 
 SCAN = Path("scan.txt")
@@ -14,7 +15,9 @@ def by_count(*rows, numeric_share=0.5):
     values = np.array(
         [[float(field) if field[0] in "-0123456789" else np.nan for field in row.split()] for row in rows]
     )
-    return columns_by_count(SCAN, [row.split() for row in rows], values, numeric_share)
+    return columns_by_count(
+        SCAN, [row.split() for row in rows], values, TextSettings(numeric_share=numeric_share)
+    )
 
 
 def test_named_columns_are_used_by_their_names():
@@ -36,6 +39,19 @@ def test_used_columns_are_coordinates_then_intensity_then_colour():
         (["1.5 2.5 3.5 -12 200 10 0", "2.5 3.5 4.5 34 7 8 9"], Columns((0, 1, 2), 3, (4, 5, 6))),
         (["P1 1.5 2.5 3.5", "P2 2.5 3.5 4.5"], Columns((1, 2, 3))),
         (["1 1.5 2.5 3.5", "2 2.5 3.5 4.5"], Columns((1, 2, 3))),
+        (["1.5 2.5 3.5 25 140 38 1133", "2.5 3.5 4.5 57 221 184 663"], Columns((0, 1, 2), 6, (3, 4, 5))),
+        (["1.5 2.5 3.5 1133 25 140 38", "2.5 3.5 4.5 663 57 221 184"], Columns((0, 1, 2), 3, (4, 5, 6))),
+        (["1.5 2.5 3.5 25 140 38 0.25", "2.5 3.5 4.5 57 221 184 0.5"], Columns((0, 1, 2), 6, (3, 4, 5))),
+        (["1.5 2.5 3.5 0.1 0.2 0.9", "2.5 3.5 4.5 1 0.5 0.5"], Columns((0, 1, 2), None, (3, 4, 5))),
+        (["1.5 2.5 3.5 0 0 1", "2.5 3.5 4.5 0.6 0.8 0"], Columns((0, 1, 2), normals=(3, 4, 5))),
+        (
+            ["1.5 2.5 3.5 200 10 0 0 0 1", "2.5 3.5 4.5 7 8 9 0.6 0 -0.8"],
+            Columns((0, 1, 2), None, (3, 4, 5), (6, 7, 8)),
+        ),
+        (
+            ["1.5 2.5 3.5 900 0 0 1", "2.5 3.5 4.5 800 0 1 0"],
+            Columns((0, 1, 2), 3, normals=(4, 5, 6)),
+        ),
     ],
 )
 def test_columns_follow_the_usual_order(rows, columns):
@@ -61,3 +77,28 @@ def test_a_column_of_words_with_some_numbers_is_no_coordinate():
 def test_fewer_than_three_columns_of_numbers_are_refused():
     with pytest.raises(InputError, match="has fewer than three columns of numbers"):
         by_count("1.5 wall 3.5", "2.5 roof 4.5")
+
+
+def grey_scan(order):
+    """Return rows of colours that agree, and of an intensity in the same range that does not."""
+    random = np.random.default_rng(0)
+    grey, intensity = random.integers(0, 230, 200), random.integers(0, 256, 200)
+    columns = {"R": grey, "G": grey + random.integers(0, 20, 200), "B": grey + random.integers(0, 20, 200)}
+    columns["I"] = intensity
+    return [
+        " ".join(["1.5 2.5 3.5", *(str(columns[name][row]) for name in order)]) for row in range(len(grey))
+    ]
+
+
+@pytest.mark.parametrize(
+    ("order", "columns"),
+    [("RGBI", Columns((0, 1, 2), 6, (3, 4, 5))), ("IRGB", Columns((0, 1, 2), 3, (4, 5, 6)))],
+)
+def test_colours_of_the_range_of_the_intensity_are_those_that_agree(order, columns):
+    assert by_count(*grey_scan(order)) == (columns, ())
+
+
+def test_four_columns_that_could_be_either_are_left_out_and_the_remedy_is_said():
+    columns, warnings = by_count("1.5 2.5 3.5 1 20 30 40", "2.5 3.5 4.5 5 60 70 80")
+    assert columns == Columns((0, 1, 2))
+    assert "name the columns in a first line" in warnings[0]

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.formats.text_columns import Columns
-from ichnograph.algorithms.clouds.formats.text_dialect import Dialect
 from ichnograph.algorithms.clouds.formats.text_layout import read_layout
 from ichnograph.algorithms.clouds.settings import TextSettings
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.tables.dialect import Dialect
 
 
 @pytest.fixture
@@ -26,15 +26,13 @@ def test_everything_that_reading_needs_is_found(layout):
     assert found.dialect == Dialect(";", ",", 7)
     assert found.columns == Columns((0, 1, 2), 3, (4, 5, 6))
     assert (found.preamble, found.announced, found.encoding) == (2, None, "utf-8")
-    assert found.intensity_scale == (0.0, 65535.0)
-    assert found.rgb_factor == 257.0
+    assert found.metres == (1.0, 1.0, 1.0)
     np.testing.assert_array_equal(found.middle, [2.5, 2, 3])
 
 
-def test_a_pts_announces_its_points_and_has_signed_intensity(layout):
+def test_a_pts_announces_its_points(layout):
     found = layout("2\n1.5 2.5 3.5 100 1 2 3\n1.5 2.5 3.5 200 1 2 3\n", "scan.pts")
     assert (found.announced, found.preamble) == (2, 1)
-    assert found.intensity_scale[0] == 2048.0
 
 
 def test_a_byte_order_mark_decides_the_encoding(layout):
@@ -42,10 +40,11 @@ def test_a_byte_order_mark_decides_the_encoding(layout):
     assert layout("1 2 3\n", encoding="utf-16").encoding == "utf-16"
 
 
-def test_only_the_sample_is_examined(layout):
-    content = "1.5 2.5 3.5 10 10 10\n" * 10 + "1.5 2.5 3.5 999 10 10\n"
-    assert layout(content).rgb_factor == 1.0
-    assert layout(content, settings=TextSettings(sample_bytes=100)).rgb_factor == 257.0
+def test_units_other_than_metres_are_said(layout):
+    found = layout("X [mm];Y [mm];Z [mm]\n1500;2500;3500\n")
+    assert found.metres == (1e-3, 1e-3, 1e-3)
+    np.testing.assert_allclose(found.middle, [1.5, 2.5, 3.5])
+    assert "gives coordinates in mm; they were converted to metres" in found.warnings[0]
 
 
 @pytest.mark.parametrize(

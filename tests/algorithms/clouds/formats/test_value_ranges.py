@@ -1,8 +1,16 @@
 """Intensity and colour of any range become 0..65535."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.formats.value_ranges import intensity_scale, rgb_factor, to_uint16
+from ichnograph.algorithms.clouds.formats.value_ranges import (
+    intensity_scale,
+    rgb_factor,
+    scaled_colour,
+    to_uint16,
+)
+from ichnograph.algorithms.errors import InputError
 
 
 @pytest.mark.parametrize(
@@ -12,6 +20,8 @@ from ichnograph.algorithms.clouds.formats.value_ranges import intensity_scale, r
         ([-2048, 0, 2047], False, -2048, 2047),
         ([0, 100, 2047], True, -2048, 2047),
         ([0, 100, 65535], False, 0, 65535),
+        ([-30.5, -3.0, 5.25], False, -30.5, 5.25),
+        ([0, 100, 200_000], False, 0, 200_000),
     ],
 )
 def test_the_ends_of_the_range_become_0_and_65535(values, signed, low, high):
@@ -20,8 +30,14 @@ def test_the_ends_of_the_range_become_0_and_65535(values, signed, low, high):
     assert (high + summand) * factor == pytest.approx(65535)
 
 
-def test_whole_zeros_and_ones_are_not_taken_for_a_range_up_to_1():
+def test_small_whole_numbers_are_kept_where_the_format_has_no_largest_intensity():
     assert intensity_scale(np.array([0.0, 1.0, 1.0])) == (0.0, 1.0)
+    assert intensity_scale(np.array([0.0, 7.0, 255.0])) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("largest", [1.0, 255.0])
+def test_the_largest_intensity_becomes_65535_where_the_format_has_one(largest):
+    assert intensity_scale(np.array([0.0, largest]), relative=True)[1] * largest == 65535
 
 
 def test_what_is_not_a_number_does_not_count():
@@ -34,6 +50,14 @@ def test_what_is_not_a_number_does_not_count():
 )
 def test_the_brightest_colour_decides_how_many_bits_there_are(brightest, factor):
     assert rgb_factor(np.array([brightest, [0, 0, 0]], float)) == factor
+
+
+def test_a_colour_that_contradicts_the_sample_of_its_file_is_refused():
+    np.testing.assert_array_equal(
+        scaled_colour(Path("a.ply"), np.array([[0, 1, 255]]), 257.0), [[0, 257, 65535]]
+    )
+    with pytest.raises(InputError, match=r"a\.ply has colours above 255"):
+        scaled_colour(Path("a.ply"), np.array([[0, 1, 256]]), 257.0)
 
 
 def test_values_are_rounded_and_clipped():

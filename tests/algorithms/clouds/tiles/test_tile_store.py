@@ -1,5 +1,6 @@
 """A store gives back all points by tile, in the order of the cloud."""
 
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -85,3 +86,18 @@ def test_one_stray_point_in_a_hundred_is_a_warning(tmp_path):
 def test_a_store_that_is_not_open_says_so():
     with pytest.raises(ValueError, match="not open"):
         TileStore(4.0).add(XYZ, ORIGIN)
+
+
+def test_a_full_temporary_disk_is_one_sentence():
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no device that is always full")
+    with TileStore(4.0) as store, Path("/dev/full").open("r+b", buffering=0) as full:
+        store._open_file = full
+        with pytest.raises(InputError, match=r"temporary file of the points cannot be written .* set TMPDIR"):
+            store.add(XYZ, ORIGIN)
+
+
+def test_a_temporary_folder_that_is_missing_is_one_sentence(monkeypatch, tmp_path):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "none"))
+    with pytest.raises(InputError, match="temporary file of the points cannot be written"), TileStore(4.0):
+        pass

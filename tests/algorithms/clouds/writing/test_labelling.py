@@ -7,7 +7,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.writing.labelling import write_labelled
 from ichnograph.algorithms.errors import InputError
-from ichnograph.tests.algorithms.clouds.sample_files import write_ply
+from ichnograph.tests.algorithms.clouds.sample_files import leave_usable, write_ply
 
 
 def las(path, count, point_format=7, seed=0, extra=True):
@@ -19,6 +19,7 @@ def las(path, count, point_format=7, seed=0, extra=True):
     points = laspy.ScaleAwarePointRecord.zeros(count, header=header)
     for name in points.array.dtype.names:
         points.array[name] = generator.integers(1, 200, count)
+    leave_usable(points.array)
     with laspy.open(path, "w", header=header) as writer:
         writer.write_points(points)
     return path

@@ -10,6 +10,7 @@ from ichnograph.algorithms.clouds.settings import WritingSettings
 from ichnograph.algorithms.clouds.writing.point_selection import write_cloud
 from ichnograph.algorithms.errors import CancelledError, InputError, NothingFoundError
 from ichnograph.algorithms.progress import Progress
+from ichnograph.tests.algorithms.clouds.sample_files import leave_usable
 from laspy.vlrs.known import WktCoordinateSystemVlr
 from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
@@ -30,6 +31,7 @@ def las(path, count=50, point_format=3, scale=0.001, offset=(600000, 5000000, 0)
     points = laspy.ScaleAwarePointRecord.zeros(count, header=header)
     for name in points.array.dtype.names:
         points.array[name] = rng.integers(1, 200, count)
+    leave_usable(points.array)
     with laspy.open(path, "w", header=header) as writer:
         writer.write_points(points)
     return path
@@ -130,13 +132,13 @@ def test_a_chosen_reference_system_is_written_into_an_old_las(tmp_path):
 @pytest.mark.parametrize(
     ("name", "content"),
     [
-        ("out.xyz", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 9 255 0 1\n"),
-        ("out.txt", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 9 255 0 1\n"),
-        ("out.CSV", "x,y,z,intensity,red,green,blue\n600001.50000,5000000.50000,3.25000,9,255,0,1\n"),
+        ("out.xyz", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 900 255 0 1\n"),
+        ("out.txt", "x y z intensity red green blue\n600001.50000 5000000.50000 3.25000 900 255 0 1\n"),
+        ("out.CSV", "x,y,z,intensity,red,green,blue\n600001.50000,5000000.50000,3.25000,900,255,0,1\n"),
     ],
 )
 def test_text_output_has_a_header_and_can_be_read_again(tmp_path, name, content):
-    path = text(tmp_path / "in.xyz", [[600001.5, 5000000.5, 3.25, 9, 255, 0, 1]])
+    path = text(tmp_path / "in.xyz", [[600001.5, 5000000.5, 3.25, 900, 255, 0, 1]])
     write_cloud(open_cloud([path]), np.array([0]), tmp_path / name)
     assert (tmp_path / name).read_text() == content
     before, after = (next(open_cloud([p]).chunks()) for p in (path, tmp_path / name))

@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.cloud import open_cloud, open_sources
 from ichnograph.algorithms.clouds.settings import WritingSettings
 from ichnograph.algorithms.clouds.writing.transformation import (
+    refuse_other_units,
+    rounding_warnings,
     transform_cloud,
     transformed_names,
-    unit_warnings,
 )
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.geometry.motion import Motion
@@ -355,15 +356,39 @@ def test_cancelling_leaves_no_output(tmp_path, xyz, name):
     assert {file.name for file in tmp_path.iterdir()} == {"in.laz", "in.xyz"}
 
 
-@pytest.mark.parametrize(("epsg", "unit"), [(2994, "in foot"), (4326, "in degrees"), (25833, "")])
-def test_a_cloud_that_is_not_in_metres_is_a_warning(tmp_path, epsg, unit):
+def cloud_in(path, epsg):
     header = laspy.LasHeader(version="1.4", point_format=6)
     header.scales = np.full(3, 1e-3)
     header.vlrs.append(WktCoordinateSystemVlr(CRS.from_epsg(epsg).to_wkt()))
     data = laspy.LasData(header)
-    data.x, data.y, data.z = np.ones((3, 5))
-    data.write(tmp_path / "scan.las")
-    warnings = unit_warnings(open_sources([tmp_path / "scan.las"]))
-    assert len(warnings) == bool(unit)
-    if unit:
-        assert f"scan.las are {unit} (EPSG:{epsg}), but transformations are in metres" in warnings[0]
+    data.x, data.y, data.z = np.full((3, 5), 1000)
+    data.write(path)
+    return open_sources([path])
+
+
+@pytest.mark.parametrize(("epsg", "unit"), [(2994, "in foot"), (4326, "in degrees")])
+def test_a_cloud_that_is_not_in_metres_is_refused(tmp_path, epsg, unit):
+    with pytest.raises(InputError, match=f"scan.las, which transformations .* are {unit}"):
+        refuse_other_units(cloud_in(tmp_path / "scan.las", epsg))
+
+
+def test_a_cloud_in_metres_is_fine(tmp_path):
+    refuse_other_units(cloud_in(tmp_path / "scan.las", 25833))
+
+
+@pytest.mark.parametrize(("decimals", "is_said"), [(4, True), (15, False)])
+def test_a_matrix_that_is_rounded_too_much_for_the_distance_of_the_points_is_said(
+    tmp_path, decimals, is_said
+):
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.round(Rotation.from_euler("xyz", [10, 20, 30], degrees=True).as_matrix(), decimals)
+    (source,) = cloud_in(tmp_path / "scan.las", 25833)
+    assert bool(rounding_warnings(source, matrix)) is is_said
+
+
+def test_a_las_whose_header_has_letters_that_las_does_not_allow_is_written(tmp_path):
+    (source,) = cloud_in(tmp_path / "scan.las", 25833)
+    data = bytearray((tmp_path / "scan.las").read_bytes())
+    data[26:32] = "Müller".encode("latin-1")
+    (tmp_path / "scan.las").write_bytes(data)
+    assert transform(tmp_path / "scan.las", np.eye(4), tmp_path / "out.las") == source.point_count

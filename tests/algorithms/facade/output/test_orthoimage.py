@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import rasterio
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.facade.elevation import Points
 from ichnograph.algorithms.facade.output.orthoimage import automatic_pixel_size, paint, write_orthoimage
 from ichnograph.tests.algorithms.facade.samples import lattice, small_elevation
@@ -47,6 +48,13 @@ def test_the_orthoimage_lies_where_the_elevation_lies(tmp_path):
     left, right = bands[:3, 10, 50], bands[:3, 10, 150]
     assert tuple(left) == (200, 10, 10) and tuple(right) == (10, 10, 200)
     assert float(tags["azimuth"]) == pytest.approx(213.4)
+
+
+def test_an_orthoimage_of_too_many_pixels_is_refused(tmp_path):
+    points = painted(step=0.1)
+    with pytest.raises(InputError, match="would have 4000000 x 3000000 pixels"):
+        write_orthoimage(tmp_path / "o.tif", points, elevation_of(points), 1e-6, fill=False)
+    assert not list(tmp_path.iterdir())
 
 
 def test_holes_of_the_orthoimage_are_filled_only_where_asked(tmp_path):

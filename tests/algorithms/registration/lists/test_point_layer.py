@@ -4,7 +4,9 @@ import fiona
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.registration.lists.point_layer import read_features
 from ichnograph.algorithms.registration.lists.point_list import points_of_features, read_point_list
+from ichnograph.algorithms.registration.lists.settings import ListSettings
 from ichnograph.tests.algorithms.registration.lists.written_lists import XYZ, refuse, write
 from rasterio.crs import CRS
 
@@ -138,3 +140,59 @@ def test_features_that_are_no_list_are_refused(features, sentence):
 def test_what_only_looks_like_a_layer_is_refused(tmp_path):
     refuse(write(tmp_path, "T1 1 2 3\n", "a.shp"), "cannot be read as a layer")
     refuse(write_layer(tmp_path / "b.gpkg", [], geometry="Polygon"), "has no layer of points")
+
+
+def test_heights_of_a_field_are_used_if_z_is_0_everywhere_and_it_is_said(tmp_path):
+    rows = [{"Elevation": height} for *_, height in XYZ]
+    path = write_layer(tmp_path / "a.shp", [(x, y, 0.0) for x, y, _ in XYZ], {"Elevation": "float"}, rows)
+    points = read_point_list(path)
+    np.testing.assert_array_equal(points.xyz, XYZ)
+    assert "Z is 0 everywhere in" in points.warnings[0]
+    assert "field Elevation" in points.warnings[0]
+
+
+def test_a_site_at_height_0_is_left_there(tmp_path):
+    rows = [{"z": None}] * 3
+    path = write_layer(tmp_path / "a.shp", [(x, y, 0.0) for x, y, _ in XYZ], {"z": "float"}, rows)
+    assert not read_point_list(path).xyz[:, 2].any()
+    assert read_point_list(path).warnings == ()
+
+
+def test_the_unit_in_the_name_of_a_field_of_heights_counts(tmp_path):
+    for name, height in (("z_mm", 1500.0), ("z_ft", 5.0)):
+        path = write_layer(
+            tmp_path / f"{name}.gpkg", [(1, 2)], {name: "float"}, [{name: height}], geometry="Point"
+        )
+        if name == "z_mm":
+            assert read_point_list(path).xyz[0, 2] == 1.5
+        else:
+            refuse(path, "gives lengths in ft; convert them to metres")
+
+
+def test_a_layer_of_more_points_than_a_list_has_is_refused():
+    with pytest.raises(InputError, match="has more than 2 points, too many for a list"):
+        read_features("a", [((0, 0, 0), {})] * 3, "", ListSettings(most_points=2))
+
+
+def test_a_layer_with_a_damaged_system_is_refused_in_one_sentence(tmp_path):
+    path = write_layer(tmp_path / "a.shp", XYZ)
+    path.with_suffix(".prj").write_text("PROJCS[x,")
+    refuse(path, "cannot be read as a layer|is not understood")
+
+
+@pytest.mark.parametrize("suffix", [".gpkg", ".fgb", ".geojson", ".shp"])
+def test_damage_of_any_kind_is_refused_or_read_but_never_another_error(tmp_path, suffix):
+    options = {"SPATIAL_INDEX": "NO"} if suffix == ".fgb" else {}
+    names = [{"name": name} for name in "ABC"]
+    path = write_layer(tmp_path / f"a{suffix}", XYZ, {"name": "str"}, names, **options)
+    data = path.read_bytes()
+    generator = np.random.default_rng(0)
+    for _ in range(60):
+        damaged = bytearray(data)
+        for position in generator.integers(0, len(data), 3):
+            damaged[position] = generator.integers(256)
+        path.write_bytes(damaged)
+        try:
+            read_point_list(path)
+        except InputError as error:
+            assert "\n" not in str(error)

@@ -47,6 +47,14 @@ def test_points_without_names_are_numbered_by_their_row(tmp_path, text):
         ("name;x;y;z\n1.1;1,5;2,25;3,0\n1.2;4,5;5,25;6,5\n", ("1.1", "1.2")),
         ("Pkt;Hochwert;Rechtswert;Höhe\n3;2,25;1,5;3\n4;5,25;4,5;6,5\n", ("3", "4")),
         ("x,y,z,Point No.\n1.5,2.25,3,9\n4.5,5.25,6.5,8\n", ("9", "8")),
+        ('Name,X,Y,Z\n"wall 1, north",1.5,2.25,3\n"wall 2",4.5,5.25,6.5\n', ("wall 1, north", "wall 2")),
+        ("Point,X,Y,Z\n101,1.5,2.25,3\n,,,\n102,4.5,5.25,6.5\n,,,\n", ("101", "102")),
+        ("Punto;Este;Norte;Cota\n101;1,5;2,25;3\n102;4,5;5,25;6,5\n", ("101", "102")),
+        ("Repère;Est;Nord;Altitude\n101;1,5;2,25;3\n102;4,5;5,25;6,5\n", ("101", "102")),
+        ("TargetID X Y Z\n101 1.5 2.25 3\n102 4.5 5.25 6.5\n", ("101", "102")),
+        ("Vermarkung X Y Z\n101 1.5 2.25 3\n102 4.5 5.25 6.5\n", ("101", "102")),
+        ("sep=,\nName,X,Y,Z\n101,1.5,2.25,3\n102,4.5,5.25,6.5\n", ("101", "102")),
+        ("Name|X|Y|Z\n101|1.5|2.25|3\n102|4.5|5.25|6.5\n", ("101", "102")),
         ("Station 4, Müller\nT1 1.5 2.25 3.0\nT2 4.5 5.25 6.5\n", ("T1", "T2")),
     ],
 )
@@ -141,7 +149,6 @@ def test_what_can_be_read_in_two_ways_is_refused(tmp_path, text):
         ("Dear reader,\nthere are no points here.\n", "holds no points"),
         ("T1 1.5 2.5\nT2 3.5 4.5\n", "holds no points"),
         (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "is not a text file"),
-        (b"1.5 2.5 3.5\n" * 200000, r"too large for a list of points \(2 MB\)"),
         ("T1 1.5 2.5 3.5\nT2 1.5 2.5\n", "Line 2 of .* has 3 columns instead of 4"),
         ("T1 1.5 2.5\nT2 1.5 2.5 3.5\nT3 4.5 5.5 6.5\n", "Line 1 of .* is neither a point .* nor a header"),
         ("T1;1.5;2.5;3.5\nT2 1.5 2.5 3.5\n", "Line 2 of .* has 1 columns instead of 4"),
@@ -155,7 +162,9 @@ def test_what_can_be_read_in_two_ways_is_refused(tmp_path, text):
         (";1.5;2.5;3.5\nT2;4.5;5.5;6.5\nT3;4.5;5.5;6.5\n", "Line 1 of .* has no name"),
         ("name lat lon h\nT1 48.1 11.5 500\n", "geographic coordinates in degrees"),
         ("# Longitude;Latitude;Height\n11.5;48.1;500\n", "geographic coordinates in degrees"),
-        ("Name;X [mm];Y [mm];Z [mm]\nT1;1500;2500;3500\n", "gives coordinates in mm; convert them"),
+        ("Name;X [ft];Y [ft];Z [ft]\nT1;1500;2500;3500\n", "gives lengths in ft; convert them"),
+        ("T1 1.5 2.25 3.125\nT2 1.5 2.25 3.125\nT3 4.5 5.5 6", "Line 3 of .*, the last, is cut off"),
+        ("\ufeff1.5 2.5 3.5\n".encode("utf-16-le")[:-1], "cannot be read as text in UTF-16"),
         ("a b c d\nT1 1.5 2.5 3.5\n", "does not name the 4 columns"),
         ("1 334.71 285.94\n2 563.67 519.34\n3 444.27 153.79\n", "x and y but no z; add the heights"),
         ("1,5,2,25,3,0\n4,5,5,25,6,5\n", "can be decimal signs or separators"),
@@ -168,6 +177,23 @@ def test_what_can_be_read_in_two_ways_is_refused(tmp_path, text):
 )
 def test_what_is_no_list_is_refused_in_one_sentence(tmp_path, content, sentence):
     refuse(write(tmp_path, content), sentence)
+
+
+def test_a_cloud_that_was_chosen_by_mistake_is_recognised_by_its_number_of_points(tmp_path):
+    refuse(write(tmp_path, "1.5 2.5 3.5\n" * 40_001), "has 40001 lines, too many for a list of points")
+
+
+def test_separators_of_thousands_do_not_belong_to_the_numbers(tmp_path):
+    rows = "1;691.234,125;5.334.567,397;512,276\n2;691.252,025;5.334.568,9;513\n"
+    text = f"Punkt;Rechtswert;Hochwert;Hoehe\n{rows}"
+    points = read_point_list(write(tmp_path, text))
+    np.testing.assert_array_equal(points.xyz[:, 1], [5334567.397, 5334568.9])
+
+
+def test_units_in_the_header_are_converted_and_said(tmp_path):
+    points = read_point_list(write(tmp_path, "Name;X [mm];Y [mm];Z [mm]\nT1;1500;2250;3500\n"))
+    np.testing.assert_allclose(points.xyz, [[1.5, 2.25, 3.5]])
+    assert "gives coordinates in mm; they were converted to metres" in points.warnings[0]
 
 
 @pytest.mark.parametrize("sign", ["#", "# ", "//", ";", "; "])

@@ -124,9 +124,53 @@ def test_a_name_and_a_matrix_are_enough(tmp_path):
 
 
 def test_six_decimals_of_a_rotation_are_enough(tmp_path):
-    matrix = np.eye(4)
-    matrix[:3, :3] = Rotation.from_euler("z", 33, degrees=True).as_matrix().round(7)
-    read_transforms(by_hand(tmp_path, matrix=matrix.tolist()))
+    for rotation in Rotation.random(200, random_state=0):
+        matrix = np.eye(4)
+        matrix[:3, :3] = rotation.as_matrix().round(6)
+        read_transforms(by_hand(tmp_path, matrix=matrix.tolist()))
+
+
+@pytest.mark.parametrize(
+    ("changed", "problem"),
+    [
+        ({"matrix": (np.diag([1e-90, 1e-90, 1e-90, 1])).tolist()}, "has a scale of"),
+        ({"matrix": (np.diag([1e60, 1e60, 1e60, 1])).tolist()}, "has a scale of"),
+        (
+            {"matrix": [[1, 0, 0, 1e300], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]},
+            r"moves the scan by 1e\+300 m",
+        ),
+        ({"matrix": [[10**400, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, "is not four rows"),
+    ],
+)
+def test_absurd_numbers_are_refused(tmp_path, changed, problem):
+    with pytest.raises(InputError, match=problem):
+        read_transforms(by_hand(tmp_path, **changed))
+
+
+@pytest.mark.parametrize("opening", ["[", '{"a":'])
+def test_absurd_depth_is_refused(tmp_path, opening):
+    (tmp_path / "a.json").write_text(opening * 100_000)
+    with pytest.raises(InputError, match="is not json"):
+        read_transforms(tmp_path / "a.json")
+
+
+@pytest.mark.parametrize(
+    ("crs", "problem"),
+    [
+        ("EPSG:4326", "are in degrees"),
+        ("EPSG:2263", "are in US survey foot"),
+        ("EPSG:7837", "are heights only"),
+        ("EPSG:32632+6360", "The heights of .* are in US survey foot"),
+        ("nonsense", "cannot be understood"),
+        (7, "cannot be understood"),
+        ({"type": "x"}, "cannot be understood"),
+    ],
+)
+def test_systems_that_are_not_in_metres_are_refused(tmp_path, crs, problem):
+    document = {"crs": crs, "scans": [{"name": "a", "matrix": MATRIX.tolist()}]}
+    (tmp_path / "a.json").write_text(json.dumps(document))
+    with pytest.raises(InputError, match=problem):
+        read_transforms(tmp_path / "a.json")
 
 
 def test_a_code_names_a_reference_system_too(tmp_path):

@@ -1,5 +1,7 @@
 """The density raster is written and read back; rasters of other origin are used or refused."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import rasterio
@@ -14,6 +16,7 @@ from ichnograph.algorithms.site_plan.density.density_raster import (
     read_density,
     write_density,
 )
+from ichnograph.algorithms.site_plan.density.settings import SiteSettings
 from rasterio.crs import CRS
 
 GRID = Affine(0.1, 0, 412_300.0, 0, -0.1, 5_812_700.0)
@@ -85,6 +88,27 @@ def test_a_single_band_is_a_density_without_heights(tmp_path):
 def test_an_unsuitable_grid_is_refused(tmp_path, profile, word):
     with pytest.raises(InputError, match=rf"bad\.tif.*{word}"):
         read_density(write(tmp_path / "bad.tif", np.eye(4), **profile))
+
+
+def test_a_raster_of_too_many_pixels_is_refused_before_it_is_read(tmp_path):
+    with pytest.raises(InputError, match=r"has 4 x 4 pixels, more than 15; cut it"):
+        read_density(write(tmp_path / "large.tif", np.eye(4)), SiteSettings(most_pixels=15))
+
+
+@pytest.mark.parametrize("value", [np.inf, -np.inf, 1e300])
+def test_infinite_values_are_refused(tmp_path, value):
+    values = np.eye(4)
+    values[0, 0] = value
+    with pytest.raises(InputError, match="holds infinite values"), np.errstate(over="ignore"):
+        read_density(write(tmp_path / "inf.tif", values, dtype="float64"))
+
+
+def test_a_raster_whose_texts_are_damaged_is_refused():
+    path = Path(__file__).parents[5] / "shared" / "data" / "hostile" / "UnicodeDecodeError.tif"
+    if not path.exists():
+        pytest.skip("the shared data are not here")
+    with pytest.raises(InputError, match="cannot be read as a raster"):
+        read_density(path)
 
 
 def test_a_raster_without_any_density_is_refused(tmp_path):

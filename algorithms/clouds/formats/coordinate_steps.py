@@ -1,0 +1,49 @@
+"""How finely a file stores its coordinates: single precision far from the origin loses millimetres."""
+
+from pathlib import Path
+
+import numpy as np
+
+from ..settings import PrecisionSettings
+
+
+def step_warning(
+    path: Path,
+    xyz: np.ndarray,
+    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    settings: PrecisionSettings = PrecisionSettings(),
+) -> tuple[str, ...]:
+    """Return a sentence on the steps of coordinates that were stored in single precision somewhere.
+
+    Parameters
+    ----------
+    path : Path
+    xyz : ndarray of float64, shape (n, 3)
+        A sample, in the units of the file.
+    metres : tuple of 3 float
+        How many metres the units are.
+    settings : PrecisionSettings
+    """
+    steps = [_step(column, settings) * unit for column, unit in zip(xyz.T, metres)]
+    coarse = [
+        f"{step:.2g} m in {axis}" for axis, step in zip("xyz", steps) if step >= settings.coarsest_step_m
+    ]
+    if not coarse:
+        return ()
+    return (
+        f"The coordinates of {path} have single precision, so they lie in steps of {', '.join(coarse)}; "
+        "export it with double precision, or with coordinates near 0.",
+    )
+
+
+def _step(values: np.ndarray, settings: PrecisionSettings) -> float:
+    """Return the step of single precision at most of `values`, 0 if they are finer."""
+    values = values[np.isfinite(values)]
+    if len(values) < settings.fewest_points:
+        return 0.0
+    with np.errstate(over="ignore"):
+        nearest = values.astype(np.float32)
+        steps = np.spacing(np.abs(nearest)).astype(np.float64)
+    # Other numbers are within an eighth of a step of single precision once in four.
+    single = np.abs(values - nearest) <= steps / 8
+    return float(np.median(steps)) if single.mean() >= settings.single_share else 0.0

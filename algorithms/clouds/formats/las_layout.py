@@ -1,0 +1,95 @@
+"""What the header of a LAS or LAZ announces, compared with the bytes there are."""
+
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+from ...errors import InputError
+from ..source import no_points
+
+LARGEST_RECORD = 4096
+"""Bytes of a point, ten times those of the largest format with all extra bytes that programs write."""
+
+
+@dataclass(frozen=True)
+class LasLayout:
+    """The parts of a file that decide how much is read of it.
+
+    Attributes
+    ----------
+    size : int
+        Bytes of the file.
+    start : int
+        Where the points begin.
+    count : int
+        Number of points, from the field for them or from its older one.
+    record_size : int
+        Bytes of a point that is not compressed.
+    compressed : bool
+    states_count : bool
+        Whether the header has the number of points; if not, it follows from the length of the file.
+    """
+
+    size: int
+    start: int
+    count: int
+    record_size: int
+    compressed: bool
+    states_count: bool
+
+
+def count_warning(path: Path) -> tuple[str, ...]:
+    """Return a sentence if the header of a file does not state the number of its points."""
+    with path.open("rb") as stream:
+        layout = read_layout(path, stream)
+    if layout.states_count:
+        return ()
+    return (
+        f"The header of {path} announces no points; the {layout.count} that follow it were read, so check "
+        "that the file is complete.",
+    )
+
+
+def damaged(path: Path, detail: str) -> InputError:
+    """Return the error for a file that contradicts itself."""
+    return InputError(f"{path} is truncated or damaged ({detail}); copy or export it again.")
+
+
+def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
+    """Return the layout of a file, or refuse a header that contradicts the length of the file.
+
+    Raises
+    ------
+    InputError
+        If the file is not a LAS, is truncated, is damaged or holds no points.
+    """
+    size = path.stat().st_size
+    head = stream.read(375)
+    if head[:4] != b"LASF":
+        raise InputError(f"{path} is not a LAS or LAZ file; give it the extension of its format.")
+    if len(head) < 227 or (head[25] >= 4 and len(head) < 375):
+        raise damaged(path, "it ends within the header")
+    if head[24] != 1 or head[25] > 5:
+        raise damaged(path, f"there is no version {head[24]}.{head[25]} of LAS")
+    header_size, start, vlrs, kind, record_size, count = struct.unpack_from("<HIIBHI", head, 94)
+    evlr_start, evlrs = 0, 0
+    if head[25] >= 4:
+        # Some programs fill in the older field only.
+        evlr_start, evlrs, newer = struct.unpack_from("<QIQ", head, 235)
+        count = newer or count
+    if header_size + 54 * vlrs > start or evlr_start + 60 * evlrs > size:
+        raise damaged(path, "its header announces more records than it has room for")
+    if not 0 < record_size <= LARGEST_RECORD:
+        raise damaged(path, f"its header announces {record_size} bytes a point")
+    compressed = bool(kind & 0b1100_0000)
+    stated = bool(count)
+    if not stated and not compressed:
+        # A program that ended early leaves the header as it was before the first point.
+        count, rest = divmod((evlr_start or size) - start, record_size)
+        count = 0 if rest else count
+    if count <= 0:
+        raise no_points(path)
+    if not compressed and start + count * record_size > size:
+        raise damaged(path, f"its header announces {count} points, but it ends before the last")
+    return LasLayout(size, start, count, record_size, compressed, stated)

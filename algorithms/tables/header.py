@@ -1,0 +1,134 @@
+"""The lines before the first row: names of columns with their units, and how many points follow."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Optional
+
+from ..errors import InputError
+from .column_names import CLOUD, DEGREES, Roles, recognised, simplified
+from .dialect import is_comment, is_count, is_number, split
+from .units import as_unit, factor_of, is_unit, unit_of, unit_of_remark
+
+COORDINATES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Header:
+    """What the lines before the first row say.
+
+    Attributes
+    ----------
+    columns : dict of str to int
+        The column of each known role; empty without names.
+    units : dict of str to str
+        The units of the coordinates that are stated, by role.
+    announced : int or None
+        Number of points; None without such a line.
+    """
+
+    columns: dict[str, int] = field(default_factory=dict)
+    units: dict[str, str] = field(default_factory=dict)
+    announced: Optional[int] = None
+
+    def factors(self, path: Path) -> tuple[float, float, float]:
+        """Return how many metres the units of the coordinates are.
+
+        Raises
+        ------
+        InputError
+            If a unit is not metric.
+        """
+        x, y, z = (metres_of(path, self.units.get(role)) for role in COORDINATES)
+        return x, y, z
+
+
+def metres_of(path: Path, unit: Optional[str]) -> float:
+    """Return how many metres a unit is that a header states, 1 if it states none.
+
+    Raises
+    ------
+    InputError
+        If it is not metric.
+    """
+    factor = factor_of(unit)
+    if factor is None:
+        raise InputError(f"The header of {path} gives lengths in {unit}; convert them to metres.")
+    return factor
+
+
+def read_preamble(path: Path, lines: list[str], delimiter: str, width: int, roles: Roles = CLOUD) -> Header:
+    """Return what the lines before the first row say.
+
+    Raises
+    ------
+    InputError
+        If a line with names does not name the columns, or a line of numbers has another number of columns.
+    """
+    columns: dict[str, int] = {}
+    units: dict[str, str] = {}
+    stated: Optional[str] = None
+    announced = None
+    for number, line in enumerate(lines, start=1):
+        fields = header_fields(line, delimiter)
+        stated = unit_of_remark(line) or stated
+        if is_count(line):
+            announced = (announced or 0) + int(line)
+        elif len(fields) == width:
+            found = _named(fields, roles)
+            columns, units = (found, _units_of(fields, found)) if found else (columns, units)
+            if columns and not found and _is_line_of_units(fields):
+                units = {role: as_unit(fields[columns[role]]) or "m" for role in COORDINATES}
+                continue
+        if is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
+            continue
+        if all(map(is_number, fields)):
+            raise InputError(
+                f"{path} has {len(fields)} columns in line {number} where most lines have "
+                f"{width}; correct or remove that line."
+            )
+        named = _named(fields, roles)
+        if (named and len(fields) != width) or (len(fields) == width and not columns):
+            raise _unclear_header(path, number, fields, width)
+    if stated and not units:
+        units = dict.fromkeys(COORDINATES, stated)
+    return Header(columns, units, announced)
+
+
+def header_fields(line: str, delimiter: str) -> list[str]:
+    """Return the fields of a line of names; a unit in brackets belongs to the name before it."""
+    text = line.strip().lstrip("#/;").strip()
+    if delimiter == " ":
+        text = text.replace(" [", "[").replace(" (", "(").replace("\t[", "[").replace("\t(", "(")
+    return split(text, delimiter)
+
+
+def _named(fields: list[str], roles: Roles) -> dict[str, int]:
+    """Return the column of every known name; nothing unless x, y and z are among them."""
+    found = recognised(fields, roles)
+    return found if set(COORDINATES) <= found.keys() else {}
+
+
+def _units_of(fields: list[str], columns: dict[str, int]) -> dict[str, str]:
+    units = {role: unit_of(fields[columns[role]]) for role in COORDINATES}
+    return {role: unit for role, unit in units.items() if unit}
+
+
+def _is_line_of_units(fields: list[str]) -> bool:
+    return any(map(is_unit, fields)) and all(is_unit(item) or not item.strip("-[]()") for item in fields)
+
+
+def _speaks_of_degrees(fields: list[str]) -> bool:
+    # A single such word may be prose, as in "the long wall".
+    return len(DEGREES & {simplified(item) for item in fields}) > 1
+
+
+def _unclear_header(path: Path, number: int, fields: list[str], width: int) -> InputError:
+    if DEGREES & {simplified(item) for item in fields}:
+        return InputError(
+            f"{path} has geographic coordinates in degrees; "
+            "reproject it to a projected coordinate reference system in metres."
+        )
+    return InputError(
+        f"The header in line {number} of {path} does not name the {width} columns of the lines "
+        "below; name them, with x, y and z or easting, northing and height among them."
+    )

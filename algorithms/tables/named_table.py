@@ -1,0 +1,125 @@
+"""Tables whose first line names the columns."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+from ..errors import InputError
+from .column_names import Roles, recognised
+from .dialect import Dialect, decimal_signs, is_comment, is_number, split, stated_delimiter
+from .encoding import read_lines
+from .header import header_fields, metres_of
+from .units import as_unit, is_unit, unit_of
+
+DELIMITERS = (";", "\t", "|", ",", " ")
+
+MOST_LINES = 100_000
+"""More than any table has that somebody measures or draws."""
+
+
+@dataclass(frozen=True)
+class NamedTable:
+    """The rows of a table.
+
+    Attributes
+    ----------
+    path : Path
+    columns : dict of str to int
+        The column of each known role.
+    rows : dict of int to list of str
+        The fields of each row by the number of its line.
+    dialect : Dialect
+    units : dict of str to str
+        The units that the header states, by role.
+    """
+
+    path: Path
+    columns: dict[str, int]
+    rows: dict[int, list[str]]
+    dialect: Dialect
+    units: dict[str, str]
+
+    def text(self, line: int, role: str) -> str:
+        """Return a field as it is written; empty if there is no such column."""
+        return self.rows[line][self.columns[role]] if role in self.columns else ""
+
+    def metres(self, role: str) -> float:
+        """Return how many metres the unit of a column is, 1 if none is stated.
+
+        Raises
+        ------
+        InputError
+            If it is not metric.
+        """
+        return metres_of(self.path, self.units.get(role))
+
+
+def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: Sequence[str]) -> NamedTable:
+    """Read a table of any encoding, separator and decimal sign, whose columns have names of `roles`.
+
+    Parameters
+    ----------
+    path : Path
+    roles : mapping of str to tuple of str
+        The names of each role.
+    needed, numbers : sequence of str
+        The roles that must be there, and those that hold numbers.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, a needed column is missing, or a row has another number of fields than the
+        header.
+    """
+    try:
+        lines = read_lines(path, MOST_LINES, "a table of lengths")
+    except OSError as error:
+        reason = error.strerror or error
+        raise InputError(
+            f"{path} cannot be read ({reason}); check that it exists and that you may read it."
+        ) from error
+    heading = next((index for index, line in enumerate(lines) if not is_comment(line)), 0)
+    delimiter, names = _header(path, lines, heading, roles, needed)
+    columns = recognised(names, roles)
+    rows = {
+        number: _row(path, number, split(line, delimiter), names)
+        for number, line in enumerate(lines[heading + 1 :], start=heading + 2)
+        if not is_comment(line) or line.lstrip().startswith(";")
+    }
+    rows = {number: row for number, row in rows.items() if any(row)}
+    units = {role: unit for role, column in columns.items() if (unit := unit_of(names[column]))}
+    first = next(iter(rows.values()), [""])
+    if any(map(is_unit, first)) and not any(map(is_number, first)):
+        rows.pop(next(iter(rows)))
+        units.update((role, unit) for role, column in columns.items() if (unit := as_unit(first[column])))
+    measured = [columns[role] for role in numbers if role in columns]
+    fields = [[row[column] for column in measured] for row in rows.values()]
+    decimal, thousands = decimal_signs(path, fields, delimiter, True) if fields else (".", "")
+    return NamedTable(path, columns, rows, Dialect(delimiter, decimal, len(names), thousands), units)
+
+
+def _header(
+    path: Path, lines: list[str], heading: int, roles: Roles, needed: Sequence[str]
+) -> tuple[str, list[str]]:
+    """Return the delimiter by which the first line has most known names, and its fields."""
+    line = lines[heading] if heading < len(lines) else ""
+    stated: Optional[str] = stated_delimiter(lines)
+    candidates = (stated,) if stated else DELIMITERS
+    delimiter = max(candidates, key=lambda sign: len(recognised(header_fields(line, sign), roles)))
+    names = header_fields(line, delimiter)
+    missing = [name for name in needed if name not in recognised(names, roles)]
+    if missing:
+        raise InputError(f"{path} has no column {' and no column '.join(missing)}; add or rename it.")
+    return delimiter, names
+
+
+def _row(path: Path, number: int, fields: list[str], names: list[str]) -> list[str]:
+    """Return the fields of a row, as many as there are names; there may be more empty ones at its end."""
+    surplus = fields[len(names) :]
+    if any(surplus) or (len(fields) < len(names) and any(fields)):
+        raise InputError(
+            f"Line {number} of {path} has {len(fields)} fields where the header names {len(names)} columns; "
+            "correct that line, or write decimal points if the separator is a comma."
+        )
+    return fields[: len(names)] if any(fields) else [""]

@@ -1,0 +1,41 @@
+"""Coordinates that went through single precision are recognised, whatever holds them now."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.clouds.formats.coordinate_steps import step_warning
+
+PATH = Path("scan.ply")
+NATIONAL = np.array([412345.0, 5812345.0, 71.0])
+
+
+def points(decimals=4):
+    return np.round(np.random.default_rng(0).random((300, 3)) * 10, decimals)
+
+
+def test_single_precision_at_national_coordinates_is_said_with_its_steps():
+    single = (points() + NATIONAL).astype(np.float32).astype(float)
+    (warning,) = step_warning(PATH, single)
+
+    assert "scan.ply have single precision" in warning
+    assert "0.031 m in x, 0.5 m in y;" in warning
+
+
+def test_the_steps_are_seen_through_the_decimals_of_a_text():
+    single = np.round((points() + NATIONAL).astype(np.float32).astype(float), 3)
+    assert "0.5 m in y" in step_warning(PATH, single)[0]
+
+
+@pytest.mark.parametrize("origin", [0.0, 100.0])
+def test_single_precision_near_the_origin_is_fine(origin):
+    assert step_warning(PATH, (points() + origin).astype(np.float32).astype(float)) == ()
+
+
+def test_double_precision_is_fine_anywhere():
+    assert step_warning(PATH, points(3) + NATIONAL) == ()
+
+
+def test_the_unit_of_the_file_counts():
+    millimetres = (1000 * (points() + [0, 0, 20_000])).astype(np.float32).astype(float)
+    assert "0.002 m in z" in step_warning(PATH, millimetres, (1e-3, 1e-3, 1e-3))[0]

@@ -1,0 +1,77 @@
+"""The lines before the first point name the columns, or announce how many points there are."""
+
+from pathlib import Path
+
+import pytest
+from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.tables.header import Header, read_preamble
+
+SCAN = Path("scan.csv")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "x;y;z;Intensity",
+        "Easting [m];Northing [m];Elevation;reflectance",
+        "#Rechtswert;Hochwert;Höhe;i",
+        "//X;Y;Z;I",
+        "Est;Nord;Quota;Intensità",
+        "Este;Norte;Cota;Intensidad",
+        "Coordonnée X;Coordonnée Y;Altitude;Intensité",
+        "Ost-Wert;Nord-Wert;Höhe [m];Intensität",
+    ],
+)
+def test_columns_are_recognised_by_their_usual_names(line):
+    header = read_preamble(SCAN, [line], ";", 4)
+    assert header.columns == {"x": 0, "y": 1, "z": 2, "intensity": 3}
+    assert header.announced is None
+
+
+def test_the_order_is_that_of_the_header_and_unknown_names_are_left_out():
+    header = read_preamble(SCAN, ["Z;time;Y;X;Nx;Ny;Nz"], ";", 7)
+    assert header.columns == {"x": 3, "y": 2, "z": 0, "nx": 4, "ny": 5, "nz": 6}
+
+
+def test_counts_of_points_add_up():
+    assert read_preamble(SCAN, ["1200\n", "# second scan\n", "34\n"], " ", 7) == Header(announced=1234)
+
+
+def test_remarks_and_prose_of_another_width_are_passed_over():
+    assert read_preamble(SCAN, ["# the long wall of x", "", "site plan of 2026 x"], " ", 4) == Header()
+
+
+@pytest.mark.parametrize(
+    ("line", "problem"),
+    [
+        ("lat;lon;height;i", "has geographic coordinates in degrees"),
+        ("a;b;c;d", "header in line 1 of scan.csv does not name the 4 columns"),
+        ("x;y;z", "header in line 1 of scan.csv does not name the 4 columns"),
+        ("1;2", "has 2 columns in line 1 where most lines have 4"),
+    ],
+)
+def test_a_header_that_does_not_fit_is_refused(line, problem):
+    with pytest.raises(InputError, match=problem):
+        read_preamble(SCAN, [line], ";", 4)
+
+
+@pytest.mark.parametrize(
+    ("lines", "delimiter", "metres"),
+    [
+        (["X [mm];Y [mm];Z [mm]"], ";", (1e-3, 1e-3, 1e-3)),
+        (["x_mm;y_mm;z_mm"], ";", (1e-3, 1e-3, 1e-3)),
+        (["X (m);Y (m);Z (cm)"], ";", (1, 1, 1e-2)),
+        (["x;y;z", "[cm];[cm];[mm]"], ";", (1e-2, 1e-2, 1e-3)),
+        (["# units: mm", "x;y;z"], ";", (1e-3, 1e-3, 1e-3)),
+        (["X [mm] Y [mm] Z [mm]"], " ", (1e-3, 1e-3, 1e-3)),
+        (["x;y;z"], ";", (1, 1, 1)),
+    ],
+)
+def test_units_of_the_coordinates_are_read_from_the_header(lines, delimiter, metres):
+    assert read_preamble(SCAN, lines, delimiter, 3).factors(SCAN) == metres
+
+
+@pytest.mark.parametrize("line", ["X [ft];Y [ft];Z [ft]", "x (US-ft);y (US-ft);z (m)", "E/ft;N/ft;H/ft"])
+def test_feet_are_refused_because_there_are_several(line):
+    with pytest.raises(InputError, match=r"scan\.csv gives lengths in (us)?ft; convert them to metres"):
+        read_preamble(SCAN, [line], ";", 3).factors(SCAN)

@@ -1,0 +1,57 @@
+"""Units in the names of columns are found however they are attached."""
+
+import pytest
+from ichnograph.algorithms.tables.units import (
+    as_unit,
+    factor_of,
+    is_unit,
+    unit_of,
+    unit_of_remark,
+    without_unit,
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "metres"),
+    [
+        ("X [mm]", "mm", 1e-3),
+        ("x_mm", "mm", 1e-3),
+        ("Breite (in cm)", "cm", 1e-2),
+        ("Breite in cm", "cm", 1e-2),
+        ("z/m", "m", 1.0),
+        ("Höhe [Meter]", "meter", 1.0),
+        ("Easting (US-ft)", "usft", None),
+        ("x_ft", "ft", None),
+        ("height", None, 1.0),
+        ("mm", None, 1.0),
+        ("Northing (LV95)", None, 1.0),
+    ],
+)
+def test_the_unit_of_a_column_follows_its_name(name, unit, metres):
+    assert unit_of(name) == unit
+    assert factor_of(unit) == metres
+
+
+def test_a_name_without_its_unit_is_the_name():
+    assert [without_unit(name) for name in ("X [mm]", "x_mm", "width_std", "Punkt (neu)")] == [
+        *("x", "x", "width_std", "punkt")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("line", "unit"),
+    [
+        ("# units: mm", "mm"),
+        ("// Einheit = cm", "cm"),
+        ("# Unité : m", "m"),
+        ("# the unit of the army", None),
+    ],
+)
+def test_a_remark_may_state_the_unit(line, unit):
+    assert unit_of_remark(line) == unit
+
+
+def test_a_field_may_be_a_unit_alone():
+    assert as_unit("[mm]") == as_unit(" mm ") == "mm"
+    assert as_unit("12") is None
+    assert not is_unit("wall")
