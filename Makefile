@@ -11,7 +11,7 @@ RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)
 RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu OPENBLAS_NUM_THREADS=1 \
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
-.PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
+.PHONY: help setup demo test suite lint accuracy plan rooms benchmark figure2 real package test-matrix
 .PHONY: facade facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
@@ -64,7 +64,9 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, and make
 	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration;"
 	@echo "orthoimage.tif, elevation.shp and a picture of them, elevation.png; details.shp, schedule.csv, drawing.dxf."
 
-test: setup lint  ## Check style and types, and run all tests
+test: lint suite  ## Check style and types, and run all tests
+
+suite: setup  ## Run all tests
 	$(RUN) -m pytest
 
 lint: .tools/installed .plugins/ichnograph  ## Check style and types, and security as the plugin repository does
