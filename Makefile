@@ -12,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test suite lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade facade-peers constants house sensitivity house-picture
+.PHONY: kills cancel leaks facade facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -128,6 +128,9 @@ facade-peers: setup  ## Print how long a facade takes, and how planes and outlin
 
 sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
+
+kills: setup  ## Print what runs leave that are killed while they write
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.kills
 
 constants: setup  ## Write docs/constants.md, the page of all constants with their reasons
 	$(RUN) -m ichnograph.scripts.constants_page
