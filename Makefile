@@ -11,8 +11,8 @@ RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)
 RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu OPENBLAS_NUM_THREADS=1 \
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
-.PHONY: help setup demo test lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: facade streets facade-peers constants house sensitivity house-picture
+.PHONY: help setup demo test suite lint accuracy plan rooms benchmark figure2 real package test-matrix
+.PHONY: kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -64,7 +64,9 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, and make
 	@echo "residuals.shp, control_out.shp, and registration.html, the report of the registration;"
 	@echo "orthoimage.tif, elevation.shp and a picture of them, elevation.png; details.shp, schedule.csv, drawing.dxf."
 
-test: setup lint  ## Check style and types, and run all tests
+test: lint suite  ## Check style and types, and run all tests
+
+suite: setup  ## Run all tests
 	$(RUN) -m pytest
 
 lint: .tools/installed .plugins/ichnograph  ## Check style and types, and security as the plugin repository does
@@ -129,6 +131,9 @@ facade-peers: setup  ## Print how long a facade takes, and how planes and outlin
 
 sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
+
+kills: setup  ## Print what runs leave that are killed while they write
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.kills
 
 constants: setup  ## Write docs/constants.md, the page of all constants with their reasons
 	$(RUN) -m ichnograph.scripts.constants_page

@@ -33,8 +33,8 @@ class Progress:
     start: float = 0.0
     stop: float = 1.0
 
-    def update(self, fraction: float, message: str = "") -> None:
-        """Report `fraction` (0..1) of this part.
+    def check(self) -> None:
+        """Ask whether to stop, without a report; for loops whose length is not known beforehand.
 
         Raises
         ------
@@ -43,6 +43,16 @@ class Progress:
         """
         if self.is_cancelled():
             raise CancelledError("Cancelled.")
+
+    def update(self, fraction: float, message: str = "") -> None:
+        """Report `fraction` (0..1) of this part.
+
+        Raises
+        ------
+        CancelledError
+            If the caller asked to stop.
+        """
+        self.check()
         share = min(max(fraction, 0.0), 1.0)
         self.report(self.start + share * (self.stop - self.start), message)
 

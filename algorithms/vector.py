@@ -17,6 +17,9 @@ from .files import atomic_output
 UNKNOWN_METRES = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
 """Reference system of a GeoPackage without one; if it were empty, GDAL would write degrees."""
 
+WRITTEN = "2000-01-01T00:00:00.000Z"
+"""What a GeoPackage states as the time of its last change, so that the same layer is the same bytes twice."""
+
 DRIVERS = {".shp": "ESRI Shapefile", ".gpkg": "GPKG"}
 
 
@@ -61,6 +64,7 @@ def write_vector(
     with (
         atomic_output(path) as temporary,
         _gdal_errors_named(path),
+        fiona.Env(OGR_CURRENT_DATE=WRITTEN),
         fiona.open(temporary, "w", driver=driver, schema=schema, crs_wkt=wkt, **options) as layer,
     ):
         layer.writerecords(records)

@@ -19,7 +19,8 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ..algorithms.errors import IchnographError, InputError, MissingPackageError
-from ..algorithms.files import atomic_output, new_folder
+from ..algorithms.files import Outputs, new_folder
+from ..algorithms.staging import recover
 from .dependencies import explain_broken, explain_missing, lacking, missing_modules
 from .log import Log
 from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
@@ -155,6 +156,9 @@ class Algorithm(QgsProcessingAlgorithm):
             files = {output: path for output, path in chosen.items() if path}
             sources = self._sources(values)
             check_outputs(files, sources)
+            for path in files.values():
+                recover(path.parent)
+                recover(path)
             wanted = {output.name: files.get(output) for output in self.destinations}
             outcome = self.compute({**values, **wanted}, log)
             styles = _write(files, outcome, sources)
@@ -191,18 +195,20 @@ def _write(files: dict[Destination, Path], outcome: Outcome, sources: list[str])
         if path.resolve() in read:
             raise InputError(f"{output.name}: {path} is an input as well; choose another folder.")
     with ExitStack() as stack:
-        for output, path, write in jobs:
+        for _, path, _ in jobs:
             stack.enter_context(new_folder(path.parent))
-            temporary = stack.enter_context(atomic_output(path))
-            try:
-                write(temporary)
-            except IchnographError as error:
-                # Name the file that the user chose, not the temporary one.
-                raise type(error)(str(error).replace(str(temporary), str(path))) from error
-            if output.style:
-                styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
-                if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
-                    temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
+        outputs = stack.enter_context(Outputs())
+        for output, path, write in jobs:
+            with outputs.staged(path) as temporary:
+                try:
+                    write(temporary)
+                except IchnographError as error:
+                    # Name the file that the user chose, not the temporary one.
+                    raise type(error)(str(error).replace(str(temporary), str(path))) from error
+                if output.style:
+                    styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
+                    if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
+                        temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
     return styles
 
 

@@ -19,6 +19,7 @@ class Log:
         self.progress = Progress(self._report, feedback.isCanceled)
         self._feedback = feedback
         self._last_message = ""
+        self._fraction = 0.0
 
     def info(self, sentence: str) -> None:
         """Write a sentence to the log."""
@@ -30,7 +31,9 @@ class Log:
             self._feedback.pushWarning(sentence)
 
     def _report(self, fraction: float, message: str) -> None:
-        self._feedback.setProgress(100 * fraction)
+        # A search that starts again does not move the bar back.
+        self._fraction = max(self._fraction, fraction)
+        self._feedback.setProgress(100 * self._fraction)
         # The core repeats its message with every chunk.
         if message and message != self._last_message:
             self._last_message = message

@@ -7,7 +7,7 @@ from .adjustment.control_network import ControlNetwork
 from .densification import PlacedScan, placed_scan
 from .lists.point_list import PointList
 from .matching.refusals import Refusal
-from .matching.scan_matching import ScanMatch, match_scan
+from .matching.scan_matching import UNEXPLAINED, ScanMatch, match_scan
 from .settings import Settings
 
 
@@ -48,22 +48,33 @@ def register_in_sequence(
     """
     placed: list[PlacedScan] = []
     waiting = dict(sorted(scans.items()))
+    refused: dict[str, Refusal] = {}
     number = 0
     while waiting:
         number += 1
         matches: dict[str, ScanMatch] = {}
+        refused = {}
         for name, scan in waiting.items():
-            progress.update(len(placed) / len(scans), f"Matching {name}")
-            result = match_scan(scan, network, settings, explain=False)
+            part = progress.part(len(placed) / len(scans), (len(placed) + 1) / len(scans))
+            part.update(0.0, f"Matching {name}")
+            result = match_scan(scan, network, settings, explain=False, progress=part)
             if isinstance(result, ScanMatch):
                 matches[name] = result
+            else:
+                refused[name] = result
         if not matches:
             break
         for name in _surest(matches, settings.matches.accidents.certain):
             registered, network = placed_scan(waiting.pop(name), matches[name], network, settings, number)
             placed.append(registered)
-    results = {name: match_scan(scan, network, settings) for name, scan in waiting.items()}
-    refused = {name: result for name, result in results.items() if isinstance(result, Refusal)}
+    for name, scan in waiting.items():
+        if refused[name] is not UNEXPLAINED:
+            continue
+        part = progress.part(len(placed) / len(scans), 1.0)
+        part.update(0.0, f"Searching why {name} does not match")
+        result = match_scan(scan, network, settings, progress=part)
+        if isinstance(result, Refusal):
+            refused[name] = result
     return SequentialRegistration(network, tuple(placed), refused)
 
 

@@ -60,3 +60,14 @@ def test_a_geopackage_without_a_crs_is_not_in_degrees(tmp_path):
 
     with fiona.open(tmp_path / "walls.gpkg") as layer:
         assert "Cartesian" in layer.crs_wkt
+
+
+def test_the_same_layer_is_the_same_bytes_twice(tmp_path, monkeypatch):
+    for second, name in enumerate(("once", "again")):
+        (tmp_path / name).mkdir()
+        # The time that GDAL would write.
+        monkeypatch.setenv("OGR_CURRENT_DATE", f"2026-01-01T00:00:0{second}.000Z")
+        write_vector(tmp_path / name / "walls.gpkg", "Polygon", FIELDS, WALLS, None)
+
+    once, again = ((tmp_path / name / "walls.gpkg").read_bytes() for name in ("once", "again"))
+    assert once == again

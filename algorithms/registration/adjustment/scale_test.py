@@ -9,6 +9,7 @@ from .block_adjustment import Adjusted
 from .least_squares import Sighting, adjust
 from .similarity import Pose
 from .statistical_tests import global_test, spread_factor
+from .target_layout import is_of_projection
 
 WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCALE}
 
@@ -32,29 +33,30 @@ def scale_test(
     model, block = settings.model, adjusted.block
     scaled = WITH_SCALE.get(model, model)
     if model is scaled:
-        return _tested(block.poses[number], block.pose_cofactors[number], adjusted.tests[number], settings)
+        of_scan = adjusted.tests[number]
+        return _tested(block.poses[number], block.pose_cofactors[number], of_scan, targets, settings)
     sighting = Sighting(targets, points, block.poses[number])
     fixed = np.ones(len(block.points), bool)
     alone = adjust([sighting], block.points, fixed, scaled, settings.sigma, settings=settings.adjustment)
     test = global_test(alone.sum_of_squares, alone.redundancy, settings.adjustment.tests)
-    return _tested(alone.poses[0], alone.pose_cofactors[0], test, settings)
+    return _tested(alone.poses[0], alone.pose_cofactors[0], test, targets, settings)
 
 
-def _tested(pose: Pose, cofactors: np.ndarray, test: GlobalTest, settings: Settings) -> ScaleTest:
+def _tested(
+    pose: Pose, cofactors: np.ndarray, test: GlobalTest, targets: np.ndarray, settings: Settings
+) -> ScaleTest:
     deviation = float(pose.scale) - 1.0
     spread = spread_factor(test, settings.adjustment.tests)
     std = float(pose.scale) * float(np.sqrt(cofactors[-1, -1])) * spread
     limits = settings.adjustment.scale_test
     limit = stats.t.isf(limits.significance / 2, max(test.redundancy, 1.0))
     significant = bool(abs(deviation) > limit * std)
-    advice = _advice(1e6 * deviation, significant, settings)
+    advice = _advice(1e6 * deviation, significant, targets, settings)
     return ScaleTest(1e6 * deviation, 1e6 * std, significant, advice)
 
 
-def _advice(ppm: float, significant: bool, settings: Settings) -> str:
+def _advice(ppm: float, significant: bool, targets: np.ndarray, settings: Settings) -> str:
     model = settings.model
-    least = settings.adjustment.scale_test.least_projection_ppm
-    most = 1e6 * settings.matches.tolerances.scale_error
     if model is Model.UNKNOWN_SCALE:
         return f"One unit of the scan is {1 + ppm / 1e6:.6g} m."
     if not significant:
@@ -63,12 +65,18 @@ def _advice(ppm: float, significant: bool, settings: Settings) -> str:
             if model.scaled
             else "The scale does not differ significantly from 1."
         )
-    cause = (
-        "which suggests grid coordinates that are not reduced for the projection"
-        if least < abs(ppm) <= most
-        else "which suggests that the scanner needs calibration, or that SIGMA is too small"
+    extent = float(np.linalg.norm(np.ptp(targets, axis=0)))
+    differs = (
+        f"The scale differs from 1 by {ppm:+.0f} ppm, {abs(ppm) * extent / 1000:.1f} mm over the "
+        f"{extent:.0f} m of the targets, which suggests"
     )
+    if not is_of_projection(ppm, targets, settings):
+        return (
+            f"{differs} a wrong target, a SIGMA that is too small, or a scanner that needs calibration; if "
+            "other scans have the same scale, "
+            f"{'keep the model with scale' if model.scaled else 'choose a model with scale'}."
+        )
     remedy = (
         "keep the model with scale" if model.scaled else "choose a model with scale, or reduce the distances"
     )
-    return f"The scale differs from 1 by {ppm:+.0f} ppm, {cause}; {remedy}."
+    return f"{differs} grid coordinates that are not reduced for the projection; {remedy}."

@@ -61,6 +61,9 @@ class ScaleTestSettings:
     least_projection_ppm: float = physical(
         50.0, "Projections and heights above the ellipsoid change lengths by more than this on most sites."
     )
+    least_projection_m: float = physical(
+        0.005, "Targets and prisms differ by a few millimetres, which over a few metres looks like a scale."
+    )
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""What the layout of targets determines: a pose, or only a pose that still rotates about a line."""
+"""What the layout of targets determines: a pose, or only one that rotates about a line; a scale."""
 
 import numpy as np
 
@@ -34,3 +34,23 @@ def fixes_pose(points: np.ndarray, model: Model, width: float) -> bool:
         level = points[:, :2] - points[:, :2].mean(axis=0)
         return bool(np.linalg.norm(level, axis=1).max() > width)
     return bool(spread(points)[1] > width)
+
+
+def is_of_projection(ppm: float, targets: np.ndarray, settings: Settings) -> bool:
+    """Return whether coordinates that are not reduced for the projection may cause a scale error.
+
+    It must be as large as projections have it, and change the extent of the targets by more than distances
+    may differ: over a few metres, a wrong target changes it as much.
+
+    Parameters
+    ----------
+    ppm : float
+    targets : ndarray, shape (k, 3)
+        Those that fit.
+    settings : Settings
+    """
+    limits = settings.adjustment.scale_test
+    most = 1e6 * settings.matches.tolerances.scale_error
+    change = abs(ppm) / 1e6 * float(np.linalg.norm(np.ptp(targets, axis=0)))
+    large = change > max(settings.distance_tolerance, limits.least_projection_m)
+    return large and limits.least_projection_ppm < abs(ppm) <= most

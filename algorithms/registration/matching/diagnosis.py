@@ -5,54 +5,43 @@ from typing import Optional
 
 import numpy as np
 
+from ..adjustment.target_layout import is_of_projection
 from ..settings import Model
 from .matching_task import MatchingTask
+from .mirror_images import mirror_images, mirrored_list
 from .solution import Solution
 
 LENGTHS = {"millimetres": 0.001, "centimetres": 0.01, "feet": 0.3048, "inches": 0.0254, "kilometres": 1000.0}
-MIRRORS = (np.array([[0, 1, 0], [1, 0, 0], [0, 0, 1]]), np.diag([1, 1, -1]))
-"""x and y swapped, and upside down; without a level either one stands for all mirror images."""
 
 
 def explain_failure(task: MatchingTask, least: int) -> tuple[str, str]:
     """Return the status and the reason of a scan without a solution of `least` targets."""
-    enough = max(least, task.settings.matches.diagnosis.least_targets)
-    explained = (
-        mirrored_solution(task, enough)
-        or _other_unit(task, enough)
-        or _not_levelled(task, enough)
-        or _scaled(task, enough)
-        or _misnamed(task, enough)
-    )
-    return explained or _nothing(task, least)
+    # Three targets fit their mirror image too, two if levelled, so that they prove no explanation.
+    enough = max(least, task.settings.model.least_targets + 1)
+    causes = (_mirrored, _other_unit, _not_levelled, _scaled, _scaled_by_names, _misnamed)
+    for number, cause in enumerate(causes):
+        explained = cause(task.within(number / len(causes), (number + 1) / len(causes)), enough)
+        if explained:
+            return explained
+    return _nothing(task, least)
 
 
-def mirrored_solution(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
-    """Return status and reason if the mirror image of the list has a solution of `least` targets."""
-    scan, model = task.scan, task.settings.model
-    least = max(least, task.settings.matches.diagnosis.least_targets)
-    for mirror in MIRRORS[: 2 if model.levelled else 1]:
-        solutions = task.solutions(scan.xyz @ mirror, model, least)
-        if solutions:
-            return (
-                "mirrored",
-                f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit the mirror "
-                "image of the control points: in one of the two lists x and y are swapped, or an axis is "
-                "reversed.",
-            )
-    return None
+def _mirrored(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    images = mirror_images(task, least)
+    return mirrored_list(task, images[0]) if images else None
 
 
 def _other_unit(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
     if task.free_scale:
         return None
     scan, points, model = task.scan, task.control, task.settings.model
-    for unit, metres in LENGTHS.items():
+    for number, (unit, metres) in enumerate(LENGTHS.items()):
+        part = task.within(number / len(LENGTHS), (number + 1) / len(LENGTHS))
         for what, targets, control in (
             (scan.name, scan.xyz * metres, points),
             ("the control list", scan.xyz, replace(points, points=points.points * metres)),
         ):
-            solutions = task.solutions(targets, model, least, control)
+            solutions = part.solutions(targets, model, least, control)
             if solutions:
                 return (
                     "units",
@@ -87,11 +76,33 @@ def _scaled(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
     solutions = task.solutions(scan.xyz, model, least, control)
     if not solutions:
         return None
+    best = solutions[0]
+    matched = scan.xyz[best.labels >= 0]
+    ppm = 1e6 * (float(best.pose.scale) - 1)
+    if not is_of_projection(ppm, matched, task.settings):
+        return None
     return (
         "scale",
-        f"{solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit with a scale error of "
-        f"{1e6 * (float(solutions[0].pose.scale) - 1):+.0f} ppm, which suggests grid coordinates "
-        "that are not reduced for the projection; choose a model with scale.",
+        f"{best.matched} of {len(scan.names)} targets of {scan.name} fit with a scale error of "
+        f"{ppm:+.0f} ppm, which suggests grid coordinates that are not reduced for the projection; choose a "
+        f"model with scale (MODEL={model.value}).",
+    )
+
+
+def _scaled_by_names(task: MatchingTask, least: int) -> Optional[tuple[str, str]]:
+    """Explain by any scale, which names allow for."""
+    scan, model = task.scan, task.settings.model
+    if not task.named or model.scaled:
+        return None
+    model = Model.LEVELLED_SCALE if model.levelled else Model.SIMILARITY
+    solutions = replace(task, settings=replace(task.settings, model=model)).solutions(scan.xyz, model, least)
+    if not solutions:
+        return None
+    return (
+        "scale",
+        f"By their names, {solutions[0].matched} of {len(scan.names)} targets of {scan.name} fit with a "
+        f"scale of {float(solutions[0].pose.scale):.6g}; if the scan may have another scale than the control "
+        f"points, choose a model with scale (MODEL={model.value}), else check units and control list.",
     )
 
 

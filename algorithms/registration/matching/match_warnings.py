@@ -1,22 +1,28 @@
 """What a user should know about a scan that matches: mirror images, tilts and wrong names."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..adjustment.control_network import ControlNetwork
 from ..lists.point_list import PointList
 from .matching_task import MatchingTask
+from .mirror_images import MirrorImage
 from .solution import Solution
 
 
-def match_warnings(task: MatchingTask, best: Solution) -> tuple[str, ...]:
-    """Return the warnings about a solution, in sentences."""
+def match_warnings(task: MatchingTask, best: Solution, images: Sequence[MirrorImage]) -> tuple[str, ...]:
+    """Return the warnings about a solution, in sentences.
+
+    Parameters
+    ----------
+    task : MatchingTask
+    best : Solution
+    images : sequence of MirrorImage
+        Those that fit as well.
+    """
     scan, network = task.scan, task.network
-    warnings = []
-    if task.in_one_plane(best):
-        warnings.append(
-            f"The matched targets of {scan.name} lie in one plane, so that a mirrored list (x and y swapped) "
-            "would fit as well; check the position of the scanner in the report."
-        )
+    warnings = [_undecided(task, image) for image in images]
     tilt = float(np.degrees(np.arccos(np.clip(best.pose.rotation[2, 2], -1.0, 1.0))))
     if tilt > task.settings.matches.decision.least_tilt_deg and not task.free_scale:
         warnings.append(
@@ -28,6 +34,23 @@ def match_warnings(task: MatchingTask, best: Solution) -> tuple[str, ...]:
     else:
         warnings += _contradicted_names(scan, network, best)
     return tuple(warnings)
+
+
+def _undecided(task: MatchingTask, image: MirrorImage) -> str:
+    """Return the warning that nothing shows whether the list is mirrored."""
+    return (
+        f"The matched targets of {task.scan.name} lie in one plane or symmetrically, so that a mirrored "
+        f"list would fit as well ({image.cause}); check the position of the scanner in the report, or add a "
+        "target."
+    )
+
+
+def incomplete_search(task: MatchingTask) -> str:
+    """Return the warning that not all seeds were tried."""
+    return (
+        f"The search for the targets of {task.scan.name} was ended before all triangles were tried, because "
+        "there are too many; a solution with more targets may exist. Shorten the lists to make sure."
+    )
 
 
 def _wrong_names(task: MatchingTask, best: Solution) -> list[str]:

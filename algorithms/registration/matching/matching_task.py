@@ -1,17 +1,17 @@
 """What has to be matched: the targets of one scan, the control points, and which of them may match."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
 
+from ...progress import Progress
 from ..adjustment.control_network import ControlNetwork
-from ..adjustment.target_layout import spread
 from ..lists.point_list import PointList
 from ..settings import Model, Settings
 from .control_points import ControlPoints
 from .search_space import search_space
-from .solution import Solution
+from .solution import Solutions
 from .solution_search import find_solutions
 
 
@@ -29,6 +29,8 @@ class MatchingTask:
     settings : Settings
     allowed : ndarray of bool, shape (n, N)
         Points with which a target may match.
+    progress : Progress
+        Of every search.
     """
 
     scan: PointList
@@ -36,6 +38,7 @@ class MatchingTask:
     control: ControlPoints
     settings: Settings
     allowed: np.ndarray
+    progress: Progress
 
     @property
     def named(self) -> bool:
@@ -47,9 +50,13 @@ class MatchingTask:
         """Whether the scale may be any."""
         return self.settings.free_scale
 
+    def within(self, start: float, stop: float) -> "MatchingTask":
+        """Return the task with a part of its progress."""
+        return replace(self, progress=self.progress.part(start, stop))
+
     def solutions(
         self, targets: np.ndarray, model: Model, least: int, control: Optional[ControlPoints] = None
-    ) -> list[Solution]:
+    ) -> Solutions:
         """Return the best solutions for the targets of the scan, or for changed ones.
 
         Parameters
@@ -62,17 +69,12 @@ class MatchingTask:
             Instead of those of the task.
         """
         space = search_space(control or self.control, targets, model, self.allowed, self.settings)
-        return find_solutions(space, least)
-
-    def in_one_plane(self, solution: Solution) -> bool:
-        """Return whether the matched targets fit their mirror image too."""
-        if self.settings.model.levelled or self.free_scale:
-            return False
-        matched = self.scan.xyz[solution.labels >= 0]
-        return bool(spread(matched)[0] <= 2 * self.control.factor * self.control.sigma)
+        return find_solutions(space, least, self.progress)
 
 
-def matching_task(scan: PointList, network: ControlNetwork, settings: Settings) -> MatchingTask:
+def matching_task(
+    scan: PointList, network: ControlNetwork, settings: Settings, progress: Progress = Progress()
+) -> MatchingTask:
     """Return the task of matching a scan with the points of a network."""
     near_one = settings.model.scaled and not settings.free_scale
     scale_error = settings.matches.tolerances.scale_error if near_one else 0.0
@@ -81,7 +83,7 @@ def matching_task(scan: PointList, network: ControlNetwork, settings: Settings) 
         allowed = np.array([[name == label for label in network.labels] for name in scan.names])
     else:
         allowed = np.broadcast_to(~coincident(control), (len(scan.names), len(network.points)))
-    return MatchingTask(scan, network, control, settings, allowed)
+    return MatchingTask(scan, network, control, settings, allowed, progress)
 
 
 def coincident(control: ControlPoints) -> np.ndarray:

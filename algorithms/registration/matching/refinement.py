@@ -5,6 +5,7 @@ from typing import Optional
 import numpy as np
 from scipy.spatial.distance import cdist
 
+from ...progress import Progress
 from ..adjustment.similarity import Pose, fit_pose
 from ..adjustment.target_layout import fixes_pose
 from .pose_uncertainty import leverage, scale_shift
@@ -12,7 +13,9 @@ from .search_space import SearchSpace
 from .solution import Solution
 
 
-def refined(space: SearchSpace, mine: np.ndarray, theirs: np.ndarray) -> Solution:
+def refined(
+    space: SearchSpace, mine: np.ndarray, theirs: np.ndarray, progress: Progress = Progress()
+) -> Solution:
     """Return the solution that a seed leads to, in the order of the list.
 
     Parameters
@@ -20,13 +23,16 @@ def refined(space: SearchSpace, mine: np.ndarray, theirs: np.ndarray) -> Solutio
     space : SearchSpace
     mine, theirs : ndarray of int, shape (2 or 3,)
         The targets of the seed, and their points.
+    progress : Progress
+        Asked whether to stop, at every change.
     """
     labels = np.full(len(space.targets), -1)
     labels[mine] = theirs
     barred = np.zeros(labels.shape, bool)
     for _ in range(space.settings.matches.search.most_changes * len(labels)):
+        progress.check()
         added = _added(space, labels, barred)
-        removed = None if added else _removed(space, labels)
+        removed = None if added else _removed(space, labels, progress)
         if added:
             labels[added[0]] = added[1]
         elif removed is not None:
@@ -48,11 +54,12 @@ def _added(space: SearchSpace, labels: np.ndarray, barred: np.ndarray) -> Option
     return (int(row), int(point)) if gaps[row, point] <= 1.0 else None
 
 
-def _removed(space: SearchSpace, labels: np.ndarray) -> Optional[int]:
+def _removed(space: SearchSpace, labels: np.ndarray, progress: Progress) -> Optional[int]:
     """Return the target that is out of reach by the pose of the others, or causes a poor fit, if any."""
     used = np.flatnonzero(labels >= 0)
     gaps, misfits = np.zeros(len(used)), np.full(len(used), np.inf)
     for number, row in enumerate(used):
+        progress.check()
         others = np.delete(used, number)
         if fixes_pose(space.targets[others], space.model, space.width / 2):
             gaps[number] = _gaps(space, labels, others)[row, labels[row]]

@@ -115,6 +115,17 @@ def too_few(task: MatchingTask, accidents: AccidentalMatches) -> Refusal:
     )
 
 
+def search_ended(task: MatchingTask) -> Refusal:
+    """Return the refusal of a scan whose search was ended without a certain solution."""
+    names = "" if task.named else ", or match by names"
+    return Refusal(
+        "too many",
+        f"The search for the {len(task.scan.names)} targets of {task.scan.name} among "
+        f"{len(task.network.points)} control points was ended, because too many triangles are "
+        f"similar; remove targets that are not control points, or shorten the control list{names}.",
+    )
+
+
 def nearly_on_a_line(task: MatchingTask, rotation_std_deg: float) -> Refusal:
     """Return the refusal of a scan whose matched targets hardly determine its rotation."""
     line = "nearly above each other" if task.settings.model.levelled else "nearly on a line"
@@ -137,9 +148,10 @@ def ambiguous(task: MatchingTask, rivals: list[Solution]) -> Refusal:
         ", ".join(f"{target} = {point}" for target, point in rival.items()) for rival in described[:4]
     )
     more = f"; and {len(rivals) - 4} more" if len(rivals) > 4 else ""
+    by_names = "" if task.named else ", or match by names"
     return Refusal(
         "ambiguous",
         f"The targets of {task.scan.name} fit the control points in {number} equally good ways "
-        f"({listed}{more}); add a target that breaks the symmetry, or match by names.",
+        f"({listed}{more}); add a target that breaks the symmetry{by_names}.",
         described,
     )

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ...progress import Progress
 from ..adjustment.similarity import Pose
 from .matching_matrix import seeds
 from .pose_uncertainty import leverage, scale_shift
@@ -11,24 +12,27 @@ from .search_space import SearchSpace
 from .similar_triangles import SimilarTriangles, named_seeds
 
 
-def seed_sets(space: SearchSpace, least: int) -> Iterator[tuple[int, np.ndarray]]:
-    """Yield, target by target, the sets of nodes that fix a pose and end with it."""
+def seed_sets(
+    space: SearchSpace, least: int, progress: Progress = Progress()
+) -> Iterator[tuple[int, np.ndarray]]:
+    """Yield, target by target, the sets of nodes that fix a pose and end with it; maybe in several parts."""
     if space.settings.free_scale:
-        yield from _seeds_of_any_scale(space)
+        yield from _seeds_of_any_scale(space, progress)
         return
     matrix = space.matrix(least)
     for last in range(space.size - 1, len(space.targets)):
         yield last, seeds(matrix, last, space.model)
 
 
-def _seeds_of_any_scale(space: SearchSpace) -> Iterator[tuple[int, np.ndarray]]:
+def _seeds_of_any_scale(space: SearchSpace, progress: Progress) -> Iterator[tuple[int, np.ndarray]]:
     named = space.settings.named
-    triangles = None if named else SimilarTriangles(space.control, space.settings.matches.triangles)
+    triangles = None if named else SimilarTriangles(space.control, space.settings.matches.triangles, progress)
     for last in range(space.size - 1, len(space.targets)):
         if triangles is None:
             yield last, named_seeds(space.control, space.targets, last, space.allowed, space.size)
         else:
-            yield last, triangles.seeds(space.targets, last, len(space.control.points))
+            for nodes in triangles.seeds(space.targets, last, len(space.control.points)):
+                yield last, nodes
 
 
 def are_wide(space: SearchSpace, corners: np.ndarray) -> np.ndarray:

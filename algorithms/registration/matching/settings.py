@@ -58,7 +58,16 @@ class SearchSettings:
     most_changes: int = judged(
         4, "Each target is added or removed this often at most, which ends a search that alternates."
     )
-    batch_size: int = physical(20_000, "Seeds that are tried at once; their arrays fit into the cache.")
+    batch_size: int = physical(
+        200_000,
+        "Targets that are placed at once by the poses of seeds, a fifth of a second; so soon a search can be "
+        "cancelled.",
+    )
+    most_placed: int = physical(
+        10_000_000,
+        "Targets that a search places in all, about a quarter of a minute. Only many outliers and an unknown "
+        "scale need more.",
+    )
 
 
 @dataclass(frozen=True)
@@ -70,6 +79,9 @@ class TriangleSettings:
     )
     least_octave: int = judged(
         3, "A triangle is long enough if its longest side is 2 to this power times the tolerance."
+    )
+    batch_size: int = physical(
+        300, "Triangles of targets that are looked up at once; each may be similar to thousands of others."
     )
 
 
@@ -98,18 +110,15 @@ class AccidentSettings:
 class DecisionSettings:
     """Whether the best solution is the only one, and good enough."""
 
-    most_squares: float = statistical(
-        30.0,
-        "Solutions whose weighted sums of squares differ by less are equally good. At this difference one is "
-        "exp(15) times as likely as the other, and still e^4 times if the noise is twice SIGMA.",
+    most_odds: float = statistical(
+        10_000.0,
+        "Another solution of as many targets is as good as the best one unless the best one is this many "
+        "times as likely, by their weighted sums of squares.",
     )
-    reach_factor: float = judged(
-        1.5,
-        "A target within this many times its reach of a control point, times sigma0, supports a rival "
-        "solution; where SIGMA is too small, a wrong solution may match more targets.",
-    )
-    most_reach_factor: float = judged(
-        3.0, "The same at most; at a larger distance a target supports no solution, however poor the fit is."
+    sigma_redundancy: int = judged(
+        8,
+        "SIGMA counts as if it were estimated from so many redundant observations: within a factor of 1.7, "
+        "19 times in 20. Where it is wrong, residuals outweigh it.",
     )
     poor_sigma0: float = judged(
         2.5, "Where sigma0 is larger, targets that the tests reject do not count as matched."
@@ -123,15 +132,6 @@ class DecisionSettings:
 
 
 @dataclass(frozen=True)
-class DiagnosisSettings:
-    """The search for the reason why nothing matches."""
-
-    least_targets: int = judged(
-        4, "Three targets fit their mirror image too, so that they prove no explanation."
-    )
-
-
-@dataclass(frozen=True)
 class MatchingSettings:
     """The settings of matching."""
 
@@ -140,4 +140,3 @@ class MatchingSettings:
     triangles: TriangleSettings = TriangleSettings()
     accidents: AccidentSettings = AccidentSettings()
     decision: DecisionSettings = DecisionSettings()
-    diagnosis: DiagnosisSettings = DiagnosisSettings()

@@ -1,10 +1,12 @@
 """Seeds when the scale is unknown: triangles of the same shape, by distance ratios (the paper's outlook)."""
 
+from collections.abc import Iterator
 from itertools import permutations
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...progress import Progress
 from .control_points import ControlPoints
 from .settings import TriangleSettings
 
@@ -16,41 +18,62 @@ class SimilarTriangles:
     ----------
     control : ControlPoints
     settings : TriangleSettings
+    progress : Progress
+        Asked whether to stop while the triangles are collected.
     """
 
-    def __init__(self, control: ControlPoints, settings: TriangleSettings = TriangleSettings()) -> None:
+    def __init__(
+        self,
+        control: ControlPoints,
+        settings: TriangleSettings = TriangleSettings(),
+        progress: Progress = Progress(),
+    ) -> None:
+        self._settings = settings
         limit = float(control.limits.max())
-        corners = np.array(np.meshgrid(*[np.arange(len(control.points))] * 3, indexing="ij")).reshape(3, -1).T
-        corners = corners[(corners[:, 0] < corners[:, 1]) & (corners[:, 1] < corners[:, 2])]
-        sides = _sides(control.points[corners])
-        order = np.argsort(sides, axis=1)
-        self._corners = np.take_along_axis(corners, order, axis=1)
-        sides = np.take_along_axis(sides, order, axis=1)
-        ratios = sides[:, :2] / np.maximum(sides[:, 2:], limit)
+        parts = []
+        for first in range(len(control.points) - 2):
+            progress.check()
+            parts.append(_shapes(control.points, first, limit))
+        corners, ratios, octaves = (np.concatenate(part) for part in zip(*parts))
         # The shape of a long triangle is known better than that of a short one: one tree for each doubling.
-        octaves = np.floor(np.log2(np.maximum(sides[:, 2], limit) / limit)).astype(int)
         self._trees = []
         for octave in np.unique(octaves[octaves >= settings.least_octave]):
+            progress.check()
             rows = np.flatnonzero(octaves == octave)
-            self._trees.append((rows, cKDTree(ratios[rows]), 2.0 ** (1 - octave)))
+            tree = cKDTree(ratios[rows], balanced_tree=False, compact_nodes=False)
+            self._trees.append((corners[rows], tree, 2.0 ** (1 - octave)))
 
-    def seeds(self, targets: np.ndarray, last: int, count: int) -> np.ndarray:
-        """Return sets of three nodes, shape (s, 3), that end with `last`, as `matching_matrix.seeds` does."""
+    def seeds(self, targets: np.ndarray, last: int, count: int) -> Iterator[np.ndarray]:
+        """Yield sets of three nodes, shape (s, 3), that end with `last`, as `matching_matrix.seeds` does."""
         first, second = np.triu_indices(last, 1)
         triples = np.column_stack([first, second, np.full(len(first), last)])
-        found = [np.empty((0, 3), np.int64)]
-        for order in permutations(range(3)):
-            corners = triples[:, order]
-            sides = _sides(targets[corners])
-            ratios = sides[:, :2] / np.maximum(sides[:, 2:], np.finfo(float).tiny)
-            for rows, tree, radius in self._trees:
-                # Sides whose lengths are equal within their uncertainty may be sorted either way.
-                near = tree.query_ball_point(ratios, radius)
-                numbers = [len(each) for each in near]
-                mine = np.repeat(corners, numbers, axis=0)
-                theirs = self._corners[rows[np.concatenate([*near, []]).astype(int)]]
-                found.append(mine * count + theirs)
-        return np.concatenate(found)
+        size = self._settings.batch_size
+        for start in range(0, len(triples), size):
+            for order in permutations(range(3)):
+                corners = triples[start : start + size, order]
+                sides = _sides(targets[corners])
+                ratios = sides[:, :2] / np.maximum(sides[:, 2:], np.finfo(float).tiny)
+                for triangles, tree, radius in self._trees:
+                    # Sides whose lengths are equal within their uncertainty may be sorted either way.
+                    near = tree.query_ball_point(ratios, radius)
+                    numbers = [len(each) for each in near]
+                    mine = np.repeat(corners, numbers, axis=0)
+                    yield mine * count + triangles[np.concatenate([*near, []]).astype(int)]
+
+
+def _shapes(points: np.ndarray, first: int, limit: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return corners, ratios of sides and octaves of the longest sides of the triangles of a first corner.
+
+    The sides are sorted by length, and the corners are opposite to them.
+    """
+    others = np.array(np.triu_indices(len(points) - first - 1, 1)).T + first + 1
+    corners = np.column_stack([np.full(len(others), first), others])
+    sides = _sides(points[corners])
+    order = np.argsort(sides, axis=1)
+    sides = np.maximum(np.take_along_axis(sides, order, axis=1), np.finfo(float).tiny)
+    longest = np.maximum(sides[:, 2:], limit)
+    octaves = np.floor(np.log2(longest[:, 0] / limit)).astype(int)
+    return np.take_along_axis(corners, order, axis=1), sides[:, :2] / longest, octaves
 
 
 def named_seeds(

@@ -1,6 +1,8 @@
 """A way to lay targets on control points, and the best of several."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -49,6 +51,27 @@ class Solution:
         both = (self.labels >= 0) & (other.labels >= 0)
         equal = self.labels[both] == other.labels[both]
         return not equal.all() or int(equal.sum()) < least
+
+
+@dataclass(frozen=True)
+class Solutions(Sequence[Solution]):
+    """What a search found, the best first.
+
+    Attributes
+    ----------
+    items : tuple of Solution
+    complete : bool
+        False if the search was ended before all seeds were tried.
+    """
+
+    items: tuple[Solution, ...] = ()
+    complete: bool = True
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.items[index]
+
+    def __len__(self) -> int:
+        return len(self.items)
 
 
 def enough(solutions: list[Solution], least: int, settings: SearchSettings) -> int:

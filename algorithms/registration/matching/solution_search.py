@@ -5,16 +5,19 @@ solution with k of n targets misses n - k, so that three of the first n - k + 3 
 on a line do not fix a pose, so that as many more are taken as the longest line holds.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from ...progress import Progress
 from ..adjustment.similarity import fit_pose
 from .refinement import refined
 from .search_space import SearchSpace
 from .seeds import are_wide, matched_at_most, seed_sets
-from .solution import Solution, enough, with_solution
+from .solution import Solution, Solutions, enough, with_solution
 
 
-def find_solutions(space: SearchSpace, least: int) -> list[Solution]:
+def find_solutions(space: SearchSpace, least: int, progress: Progress = Progress()) -> Solutions:
     """Return all solutions with the largest number of matched targets, or nearly so many.
 
     Parameters
@@ -23,31 +26,64 @@ def find_solutions(space: SearchSpace, least: int) -> list[Solution]:
         As `search_space` makes it.
     least : int
         Solutions with fewer targets are not searched for.
+    progress : Progress
+
+    Returns
+    -------
+    Solutions
+        By the number of targets, then by how well they fit; empty if nothing fits. At most `most_solutions`
+        of the largest number, and as many others. Incomplete if the search was ended because it placed
+        `most_placed` targets.
+
+    Raises
+    ------
+    CancelledError
+        If the caller asked to stop.
+    """
+    if len(space.targets) < least or len(space.control.points) < least:
+        return Solutions()
+    search = space.settings.matches.search
+    solutions: list[Solution] = []
+    complete, placed, count = True, 0, len(space.targets)
+    in_line = space.longest_line
+    if not space.settings.free_scale:
+        space = space.reordered(least)
+    for last, nodes in _batches(space, least, progress):
+        if last > count - enough(solutions, least, search) + in_line:
+            break
+        if placed > search.most_placed:
+            complete = False
+            break
+        share = max(last / count, placed / search.most_placed)
+        solutions, seeds = _extended(space, nodes, least, solutions, progress.part(share, share))
+        # Refining a seed compares all targets with all points several times.
+        placed += (len(nodes) + seeds * len(space.control.points)) * count
+    order = sorted(solutions, key=lambda item: (-item.matched, round(item.misfit, 6), item.labels.tolist()))
+    return Solutions(tuple(order), complete)
+
+
+def _batches(space: SearchSpace, least: int, progress: Progress) -> Iterator[tuple[int, np.ndarray]]:
+    """Yield the seeds target by target, in parts that are tried at once."""
+    size = max(space.settings.matches.search.batch_size // len(space.targets), 1)
+    for last, nodes in seed_sets(space, least, progress):
+        progress.check()
+        for start in range(0, len(nodes), size):
+            yield last, nodes[start : start + size]
+
+
+def _extended(
+    space: SearchSpace, nodes: np.ndarray, least: int, solutions: list[Solution], progress: Progress
+) -> tuple[list[Solution], int]:
+    """Lay seeds on the control points, and keep the solutions that match enough targets.
 
     Returns
     -------
     list of Solution
-        By the number of targets, then by how well they fit; empty if nothing fits. At most `most_solutions`
-        of the largest number, and as many others.
+    int
+        How many seeds were refined.
     """
-    if len(space.targets) < least or len(space.control.points) < least:
-        return []
     search = space.settings.matches.search
-    solutions: list[Solution] = []
-    in_line = space.longest_line
-    if not space.settings.free_scale:
-        space = space.reordered(least)
-    for last, nodes in seed_sets(space, least):
-        if last > len(space.targets) - enough(solutions, least, search) + in_line:
-            break
-        for start in range(0, len(nodes), search.batch_size):
-            solutions = _extended(space, nodes[start : start + search.batch_size], least, solutions)
-    return sorted(solutions, key=lambda item: (-item.matched, round(item.misfit, 6), item.labels.tolist()))
-
-
-def _extended(space: SearchSpace, nodes: np.ndarray, least: int, solutions: list[Solution]) -> list[Solution]:
-    """Lay seeds on the control points, and keep the solutions that match enough targets."""
-    search = space.settings.matches.search
+    progress.update(0.0)
     count = len(space.control.points)
     mine, theirs = nodes // count, nodes % count
     wide = are_wide(space, space.targets[mine])
@@ -56,16 +92,19 @@ def _extended(space: SearchSpace, nodes: np.ndarray, least: int, solutions: list
     scores = matched_at_most(space, poses, mine, theirs)
     for solution in solutions:
         scores[_within(space, solution, mine, theirs)] = 0
+    refinements = 0
     while len(scores):
+        progress.update(0.0)
         top = int(scores.argmax())
         if scores[top] < enough(solutions, least, search):
             break
-        solution = refined(space, mine[top], theirs[top])
+        refinements += 1
+        solution = refined(space, mine[top], theirs[top], progress)
         scores[top] = 0
         # Other seeds within this solution lead to it again.
         scores[_within(space, solution, mine, theirs)] = 0
         solutions = with_solution(solution, solutions, least, space.size, search)
-    return solutions
+    return solutions, refinements
 
 
 def _within(space: SearchSpace, solution: Solution, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:

@@ -46,6 +46,15 @@ def test_the_advice_names_the_projection_only_for_its_deviations():
     assert large.significant and "calibration" in large.advice
 
 
+def test_a_scale_that_moves_targets_by_less_than_the_tolerance_is_not_one_of_a_projection():
+    small = HALL * 0.5
+    found = scale_test(0.9996, site=small)
+
+    assert found.significant
+    assert "projection" not in found.advice
+    assert "3.5 mm over the 9 m of the targets" in found.advice
+
+
 def test_an_unknown_scale_is_stated_in_metres():
     assert "One unit of the scan is 0.3048 m." in scale_test(0.3048, Model.UNKNOWN_SCALE).advice
 

@@ -2,7 +2,12 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.registration.adjustment.target_layout import fixes_pose, line_width, spread
+from ichnograph.algorithms.registration.adjustment.target_layout import (
+    fixes_pose,
+    is_of_projection,
+    line_width,
+    spread,
+)
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 
 LINE = np.array([[0.0, 0, 0], [3, 3, 3], [9, 9, 9]])
@@ -44,3 +49,11 @@ def test_the_width_of_a_line_follows_from_noise_or_where_the_scale_is_unknown_fr
     assert line_width(TRIANGLE, Settings(model=Model.UNKNOWN_SCALE)) == pytest.approx(0.006)
     named = Settings(matching=Matching.NAMES, model=Model.SIMILARITY)
     assert line_width(100 * TRIANGLE, named) == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(
+    ("ppm", "extent", "shown"),
+    [(-400, 8, False), (-400, 60, True), (30, 1000, False), (800, 60, False), (400, 30, False)],
+)
+def test_only_a_large_site_shows_the_scale_of_a_projection(ppm, extent, shown):
+    assert is_of_projection(ppm, np.array([[0.0, 0, 0], [extent, 0, 0]]), Settings()) == shown

@@ -68,6 +68,28 @@ def test_wrong_names_are_distinguished_from_wrong_distances():
     assert "by their distances 8 of 8 do" in scan.reason
 
 
+@pytest.mark.parametrize("model, with_scale", [(Model.RIGID, 1), (Model.LEVELLED, 3)])
+@pytest.mark.parametrize("scale", [0.97, 1.01, 4.0])
+def test_right_names_with_a_scale_lead_to_a_model_that_has_it(model, with_scale, scale):
+    targets = scanned(HALL, scale=scale, noise=0.001)[0]
+    names = [f"P{row + 1}" for row in range(8)]
+    control, chosen = listed("control", HALL, names), Settings(matching=Matching.NAMES, model=model)
+    scan = register_scans(control, [listed("scan", targets, names)], chosen).scans[0]
+
+    assert scan.status == "scale"
+    assert f"MODEL={with_scale}" in scan.reason and "correct the names" not in scan.reason
+    followed = Settings(matching=Matching.NAMES, model=Model(with_scale))
+    assert register_scans(control, [listed("scan", targets, names)], followed).scans[0].registered
+
+
+def test_a_scale_error_over_a_few_metres_is_not_laid_to_the_projection():
+    targets = scanned(HALL * 0.7, scale=0.9996)[0]
+    targets[0] += 0.02
+    scan = register(HALL * 0.7, targets, sigma=0.0005, tolerance=0.0008)
+
+    assert "projection" not in scan.reason + " ".join(scan.warnings)
+
+
 @pytest.mark.parametrize("model", [Model.RIGID, Model.LEVELLED])
 def test_a_model_without_scale_names_that_of_a_projection(model):
     site = HALL * 25

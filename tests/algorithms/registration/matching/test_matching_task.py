@@ -59,14 +59,3 @@ def test_solutions_of_changed_targets_and_points_are_found():
     assert not plain.solutions(TARGETS[:, [1, 0, 2]], Model.RIGID, 5)
     assert plain.solutions(TARGETS, Model.RIGID, 5)[0].matched == 8
     assert plain.solutions(TARGETS / 2, Model.RIGID, 5, control_points(HALL / 2))[0].matched == 8
-
-
-def test_targets_in_one_plane_fit_their_mirror_image():
-    floor = HALL * [1, 1, 0]
-    flat = task(points=floor, targets=scanned(floor)[0])
-    level = task(points=floor, targets=scanned(floor)[0], model=Model.LEVELLED)
-
-    best = flat.solutions(flat.scan.xyz, Model.RIGID, 5)[0]
-    assert flat.in_one_plane(best)
-    assert not level.in_one_plane(best), "a level cannot be mirrored"
-    assert not task().in_one_plane(task().solutions(TARGETS, Model.RIGID, 5)[0])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.registration.matching.refusals import Refusal
 from ichnograph.algorithms.registration.matching.scan_matching import match_scan
+from ichnograph.algorithms.registration.matching.settings import MatchingSettings, SearchSettings
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.tests.algorithms.registration.hall import HALL, labels, listed, register, scanned
 from ichnograph.tests.algorithms.registration.matching.matching_cases import network
@@ -62,3 +63,16 @@ def test_solutions_nearly_as_good_as_the_best_are_rivals():
 
     assert found.status == "ambiguous"
     assert len(found.rivals) == 2
+
+
+def ended(**search):
+    limits = MatchingSettings(search=SearchSettings(**search))
+    return matched(HALL, scanned(HALL, scale=2.0)[0], model=Model.UNKNOWN_SCALE, matches=limits)
+
+
+def test_a_search_that_is_ended_refuses_what_it_did_not_find_and_warns_of_what_it_may_have_missed():
+    nothing, something = ended(most_placed=-1), ended(most_placed=50)
+
+    assert nothing.status == "too many" and "was ended" in nothing.reason
+    assert something.solution.matched == 8
+    assert any("was ended" in warning for warning in something.warnings)

@@ -4,7 +4,10 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.errors import CancelledError
+from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.registration.adjustment.similarity import fit_pose
+from ichnograph.algorithms.registration.matching.settings import MatchingSettings, SearchSettings
 from ichnograph.algorithms.registration.matching.solution_search import find_solutions
 from ichnograph.algorithms.registration.settings import Model, Settings
 from ichnograph.tests.algorithms.registration.hall import HALL, scanned
@@ -70,3 +73,30 @@ def test_the_order_of_the_targets_does_not_matter():
     straight, mixed = (find_solutions(space(HALL, targets[rows]), 4) for rows in (np.arange(8), order))
 
     assert straight[0].labels[order].tolist() == mixed[0].labels.tolist()
+
+
+def test_a_search_that_places_too_many_targets_is_ended():
+    targets = scanned(HALL, scale=2.0)[0]
+    whole, cut = (
+        find_solutions(
+            space(
+                HALL, targets, Settings(model=Model.UNKNOWN_SCALE, matches=MatchingSettings(search=search))
+            ),
+            5,
+        )
+        for search in (SearchSettings(), SearchSettings(most_placed=10, batch_size=8))
+    )
+
+    assert whole.complete and whole[0].matched == 8
+    assert not cut.complete
+
+
+def test_a_search_can_be_cancelled_at_every_batch():
+    asked = []
+
+    def is_cancelled():
+        asked.append(None)
+        return len(asked) > 3
+
+    with pytest.raises(CancelledError):
+        find_solutions(space(HALL, scanned(HALL)[0]), 4, Progress(is_cancelled=is_cancelled))
