@@ -11,20 +11,20 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import linemerge
 
 from ...progress import Progress
-from .division import Division, divide
-from .evidence import UprightsAlong
-from .footprint import Footprint, find_footprint
-from .free_faces import clear_before, free_faces, screens
-from .levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
-from .outlines import parts_of, sound, united
-from .regular import share_lines, square_up
-from .roof import near_roof, roofed
-from .room_cells import Room, find_rooms
+from .division.division import Division, divide
+from .division.outlines import parts_of, sound, united
+from .evidence.footprint import Footprint, find_footprint
+from .evidence.levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
+from .evidence.regular import share_lines, square_up
+from .evidence.roof import near_roof, roofed
+from .evidence.sheets import Sheet, find_sheets
+from .evidence.uprights_along import UprightsAlong
+from .evidence.voxels import Voxels, make_voxels
+from .rooms.room_cells import Room, find_rooms
 from .settings import StoreySettings
-from .sheets import Sheet, find_sheets
-from .voxels import Voxels, make_voxels
-from .wall_bodies import behind, wall_bodies
-from .walls import Wall, describe_walls
+from .walls.free_faces import clear_before, free_faces, screens
+from .walls.wall_bodies import behind, wall_bodies
+from .walls.walls import Wall, describe_walls
 
 LINED_M = 0.005
 """A face so near to the edge of a parapet is its own, metres."""

@@ -20,7 +20,7 @@ from ichnograph.algorithms.site_plan.output.layers import (
     write_walls,
 )
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
-from ichnograph.algorithms.site_plan.storeys.levels import Storey
+from ichnograph.algorithms.site_plan.storeys.evidence.levels import Storey
 from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
 from ichnograph.tests.algorithms.site_plan.house import UTM, plan_of_house
 from shapely.geometry import LineString, Point, Polygon, box, shape

@@ -10,6 +10,7 @@ from ichnograph.algorithms.errors import CancelledError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
 from ichnograph.algorithms.site_plan.rooms.rooms import Room
+from ichnograph.algorithms.site_plan.storeys.evidence.levels import Storey
 from ichnograph.algorithms.site_plan.storeys.joining import (
     bodies,
     join_rooms,
@@ -17,11 +18,10 @@ from ichnograph.algorithms.site_plan.storeys.joining import (
     plan_storey,
     under_roof,
 )
-from ichnograph.algorithms.site_plan.storeys.levels import Storey
-from ichnograph.algorithms.site_plan.storeys.room_cells import Room as StoreyRoom
+from ichnograph.algorithms.site_plan.storeys.rooms.room_cells import Room as StoreyRoom
 from ichnograph.algorithms.site_plan.storeys.settings import JoiningSettings, StoreySettings
 from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
-from ichnograph.algorithms.site_plan.storeys.walls import Wall as StoreyWall
+from ichnograph.algorithms.site_plan.storeys.walls.walls import Wall as StoreyWall
 from ichnograph.algorithms.site_plan.walls.wall import Wall
 from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, room, scanned, upright

@@ -1,0 +1,8 @@
+"""Walls: what stands behind faces that bound rooms, and behind those that bound none.
+
+Faces that bound no room are found in `free_faces`. `wall_bodies` stand behind faces, `wall_pieces` lie
+between junctions and openings, and `walls` measures them.
+
+Public names: `free_faces.free_faces`, `free_faces.screens`, `free_faces.clear_before`,
+`wall_bodies.wall_bodies`, `wall_bodies.behind`, `walls.describe_walls`, `walls.Wall`.
+"""
