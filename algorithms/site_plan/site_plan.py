@@ -152,7 +152,8 @@ def _on_faces(
         # The density image has a plan of the largest site.
         return replace(found, walls=walls, warnings=(*found.warnings, str(error))), foliage, None
     if storey:
-        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
+        walls, apart = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
+        storey = replace(storey, left_out=(*storey.left_out, *apart))
     return replace(found, walls=walls), foliage, storey
 
 

@@ -5,5 +5,5 @@ openings and necks (`rooms`), and walls stand behind faces (`walls`). In the reg
 replaces that of the density image (`joining`).
 
 Public names: `joining.plan_storey`, `joining.join_walls`, `joining.join_rooms`, `joining.bodies`,
-`storey_plan.make_storey_plan`, `storey_plan.StoreyPlan`, `storey_plan.LeftOut`, `settings.StoreySettings`.
+`storey_plan.make_storey_plan`, `storey_plan.StoreyPlan`, `settings.StoreySettings`.
 """

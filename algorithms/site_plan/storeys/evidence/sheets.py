@@ -5,6 +5,7 @@ from typing import Optional
 
 import numpy as np
 from numba import njit
+from shapely.geometry import LineString
 
 from ..settings import SheetSettings
 from .levels import Uprights, count_levels
@@ -33,6 +34,11 @@ class Sheet:
     def length(self) -> float:
         """Metres."""
         return float(np.hypot(*(self.stop - self.start)))
+
+    @property
+    def line(self) -> LineString:
+        """From start to stop."""
+        return LineString([self.start, self.stop])
 
     @property
     def direction(self) -> np.ndarray:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from ..division.outlines import parts_of, united
@@ -48,7 +48,7 @@ def free_faces(
     fewest = settings.filled * (high - low)
     found = []
     for sheet in sheets:
-        outside = LineString([sheet.start, sheet.stop]).difference(within)
+        outside = sheet.line.difference(within)
         for part in parts_of(outside):
             if part.length >= settings.run_m:
                 found += _full_runs(np.asarray(part.coords), uprights, mask, fewest, settings.run_m)
@@ -73,18 +73,18 @@ def screens(
     mask, fewest = ((1 << high) - 1) ^ ((1 << low) - 1), settings.filled * (high - low)
     found = []
     for sheet in sheets:
-        free = LineString([sheet.start, sheet.stop]).intersection(inside)
+        free = sheet.line.intersection(inside)
         for part in parts_of(free):
             if part.length >= settings.screen_m:
                 ends = np.asarray(part.coords)
                 runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
-                found += [run for run in runs if not _has_wall_behind(run, faces, settings)]
+                found += [run for run in runs if not has_wall_behind(run, faces, settings)]
     found = np.array(found).reshape(-1, 4)
     tall = uprights.mean_levels(found, -1 << round(settings.head_m / levels.level_m))
     return found[tall >= settings.head_levels]
 
 
-def _has_wall_behind(run: np.ndarray, faces: np.ndarray, settings: FreeFaceSettings) -> bool:
+def has_wall_behind(run: np.ndarray, faces: np.ndarray, settings: FreeFaceSettings) -> bool:
     """Return whether a face of a wall runs along a line, as near as furniture is deep."""
     along = (run[2:] - run[:2]) / np.hypot(*(run[2:] - run[:2]))
     beside = _overlaps(run, faces, along)
