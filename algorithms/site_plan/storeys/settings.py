@@ -240,6 +240,14 @@ class JoiningSettings:
 
 
 @dataclass(frozen=True)
+class DoubtSettings:
+    """What is so much that the user should look at it."""
+
+    much_left_out: float = judged(0.15, "Wardrobes, curtains and door leaves of a furnished flat are less.")
+    many_limits: float = judged(0.33, "Doors, windows and passages alone are a quarter of an outline.")
+
+
+@dataclass(frozen=True)
 class StoreySettings:
     """The settings of the plan of a storey, by stage."""
 
@@ -253,5 +261,6 @@ class StoreySettings:
     walls: WallSettings = WallSettings()
     roof: RoofSettings = RoofSettings()
     joining: JoiningSettings = JoiningSettings()
+    doubts: DoubtSettings = DoubtSettings()
     margin_m: float = judged(1.0, "Width of the rim around the points, which is outside for certain.")
     shortest_limit_m: float = judged(0.1, "Shorter limits are gaps in a face.")
