@@ -15,6 +15,7 @@ from .faces.refinement import refine_on_points
 from .results import SitePlan, WallPlan
 from .rooms.rooms import Room, find_rooms, with_floors
 from .settings import SitePlanSettings
+from .storeys.doubts import doubts
 from .storeys.joining import bodies, join_rooms, join_walls, plan_storey
 from .storeys.storey_plan import StoreyPlan
 from .walls.extraction import WallParameters, extract_wall_pixels
@@ -151,9 +152,12 @@ def _on_faces(
     except InputError as error:
         # The density image has a plan of the largest site.
         return replace(found, walls=walls, warnings=(*found.warnings, str(error))), foliage, None
+    warnings = found.warnings
     if storey:
-        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
-    return replace(found, walls=walls), foliage, storey
+        walls, apart = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
+        storey = replace(storey, left_out=(*storey.left_out, *apart))
+        warnings += doubts(storey, settings.storeys.doubts, settings.storeys.levels)
+    return replace(found, walls=walls, warnings=warnings), foliage, storey
 
 
 def _axes(

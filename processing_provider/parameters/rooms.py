@@ -10,7 +10,7 @@ from .parameter import Flag, Number
 
 if TYPE_CHECKING:
     from ...algorithms.site_plan.results import SitePlan
-    from ...algorithms.site_plan.storeys.levels import Storey
+    from ...algorithms.site_plan.storeys.evidence.levels import Storey
     from ...algorithms.site_plan.storeys.storey_plan import StoreyPlan
 
 DOOR_WIDTH = Number(

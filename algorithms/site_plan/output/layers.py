@@ -49,7 +49,7 @@ ROOM_FIELDS = {
 }
 """Fields of the rooms layer; those that are not known are null."""
 
-LEFT_OUT_FIELDS = {"reason": "str:80", "length": "float:12.3"}
+LEFT_OUT_FIELDS = {"reason": "str:80", "length": "float:12.3", "area": "float:12.3"}
 """Fields of the layer of what was left out."""
 
 
@@ -90,5 +90,8 @@ def write_limits(path: Path, plan: SitePlan) -> None:
 def write_left_out(path: Path, plan: SitePlan) -> None:
     """Write the surfaces that are not walls as lines with the fields `LEFT_OUT_FIELDS`."""
     left_out = plan.storey.left_out if plan.storey else ()
-    features = ((item.line, {"reason": item.reason, "length": item.line.length}) for item in left_out)
+    features = (
+        (item.line, {"reason": item.reason, "length": item.line.length, "area": item.area})
+        for item in left_out
+    )
     write_vector(path, "LineString", LEFT_OUT_FIELDS, features, plan.crs)

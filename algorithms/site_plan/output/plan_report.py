@@ -17,6 +17,7 @@ from ..rooms.rooms import Room
 from ..settings import SitePlanSettings
 from ..walls.extraction import ThresholdStep
 from .plan_pictures import COLOURS, THUMBNAIL, Fate, View, coloured, fates, fates_at, fitted
+from .storey_report import FACE, ROOM, decided_by, shown
 
 TEMPLATE = Path(__file__).parent / "templates" / "site_plan.html"
 
@@ -25,8 +26,6 @@ MOST_PICTURES = 12
 
 MOST_ROWS = 300
 """Walls and rooms that the tables list at most; the layers hold all."""
-
-FACE, ROOM = "#a8321a", "#2a8a96"
 
 
 class _FateRow(NamedTuple):
@@ -57,6 +56,8 @@ def write_report(path: Path, plan: SitePlan) -> None:
         rooms=plan.rooms or (),
         warnings=plan.warnings,
         plan_map=_plan_map(plan, view),
+        decided_by=decided_by(plan),
+        storey=shown(plan.storey) if plan.storey else None,
         fate_map=_map(view, coloured(fate)),
         fates=_fate_rows(plan, areas),
         pictures=_pictures(plan, view),
@@ -234,8 +235,10 @@ def _room_rows(rooms: Sequence[Room]) -> list[tuple[str, ...]]:
             str(room.room_id),
             number(room.area, 2),
             number(room.perimeter, 2),
-            str(room.openings),
+            number(room.openings, 0),
             number(room.z_floor, 2),
+            number(room.z_ceiling, 2),
+            number(None if room.seen is None else 100 * room.seen, 0),
         )
         for room in rooms[:MOST_ROWS]
     ]

@@ -189,7 +189,7 @@ class WallSettings:
     """How borders of rooms become walls."""
 
     thickest_m: float = physical(0.6, "Two faces farther apart are two walls, or the outsides of a core.")
-    strip_m: float = physical(0.03, "Half of the thinnest partition: the back of such a wall is not known.")
+    strip_m: float = physical(0.025, "Half of the thinnest partition: the back of such a wall is not known.")
     crack_m: float = judged(0.002, "Cracks up to twice as wide come from faces that do not quite meet.")
     shortest_m: float = physical(0.005, "Nobody draws a shorter edge of a wall.")
     straight_m: float = physical(0.001, "A corner so little off the line of its neighbours says nothing.")
@@ -228,7 +228,23 @@ class JoiningSettings:
     shortest_rest_m: float = judged(0.5, "Shorter ends are what the margin left of walls of the storey.")
     column_m2: float = judged(1.0, "Larger things that stand free are furniture, or walls of the storey.")
     column_coverage: float = judged(0.4, "Two of the four sides of a column are seen from one station.")
+    column_levels: float = judged(12.0, "Furniture and railings fill fewer levels.")
+    column_face_m: float = physical(0.05, "The outline of pixels lies so near to the faces of a column.")
+    apart_m: float = judged(
+        0.5, "Beyond the margin: the walls of yards and annexes join their building, or nearly."
+    )
+    apart_share: float = judged(
+        0.2, "Walls apart that are longer than this share of the building's are no reflections."
+    )
     own_share: float = judged(0.5, "A closed space belongs to the side on which most of it lies.")
+
+
+@dataclass(frozen=True)
+class DoubtSettings:
+    """What is so much that the user should look at it."""
+
+    much_left_out: float = judged(0.15, "Wardrobes, curtains and door leaves of a furnished flat are less.")
+    many_limits: float = judged(0.33, "Doors, windows and passages alone are a quarter of an outline.")
 
 
 @dataclass(frozen=True)
@@ -245,5 +261,6 @@ class StoreySettings:
     walls: WallSettings = WallSettings()
     roof: RoofSettings = RoofSettings()
     joining: JoiningSettings = JoiningSettings()
+    doubts: DoubtSettings = DoubtSettings()
     margin_m: float = judged(1.0, "Width of the rim around the points, which is outside for certain.")
     shortest_limit_m: float = judged(0.1, "Shorter limits are gaps in a face.")

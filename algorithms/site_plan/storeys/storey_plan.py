@@ -11,38 +11,24 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import linemerge
 
 from ...progress import Progress
-from .division import Division, divide
-from .evidence import UprightsAlong
-from .footprint import Footprint, find_footprint
-from .free_faces import clear_before, free_faces, screens
-from .levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
-from .outlines import parts_of, sound, united
-from .regular import share_lines, square_up
-from .roof import near_roof, roofed
-from .room_cells import Room, find_rooms
+from .division.division import Division, divide
+from .division.outlines import parts_of, sound, united
+from .evidence.footprint import Footprint, find_footprint
+from .evidence.levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
+from .evidence.regular import share_lines, square_up
+from .evidence.roof import near_roof, roofed
+from .evidence.sheets import Sheet, find_sheets
+from .evidence.uprights_along import UprightsAlong
+from .evidence.voxels import Voxels, make_voxels
+from .rooms.room_cells import Room, find_rooms
 from .settings import StoreySettings
-from .sheets import Sheet, find_sheets
-from .voxels import Voxels, make_voxels
-from .wall_bodies import behind, wall_bodies
-from .walls import Wall, describe_walls
+from .walls.free_faces import clear_before, free_faces, screens
+from .walls.left_out import LeftOut, find_left_out
+from .walls.wall_bodies import behind, wall_bodies
+from .walls.walls import Wall, describe_walls
 
 LINED_M = 0.005
 """A face so near to the edge of a parapet is its own, metres."""
-
-
-@dataclass(frozen=True)
-class LeftOut:
-    """A surface that is not a wall.
-
-    Attributes
-    ----------
-    line : LineString
-        Metres.
-    reason : str
-    """
-
-    line: LineString
-    reason: str
 
 
 @dataclass(frozen=True)
@@ -131,11 +117,12 @@ def make_storey_plan(
     division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
+    walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
     return StoreyPlan(
-        walls=tuple(_walls(division, sheets, parapets, footprint, along, storey, settings)),
+        walls=tuple(walls),
         rooms=tuple(rooms),
         limits=tuple(_limits(division, settings)),
-        left_out=tuple(_left_out(division, sheets, settings)),
+        left_out=tuple(_left_out(division, sheets, walls, along, settings)),
         sheets=tuple(sheets),
         region=roofed(footprint, settings.roof),
         storey=storey,
@@ -202,13 +189,11 @@ def _limits(division: Division, settings: StoreySettings) -> list[LineString]:
     return [line for line in parts_of(merged) if line.length >= settings.shortest_limit_m]
 
 
-def _left_out(division: Division, sheets: list[Sheet], settings: StoreySettings) -> list[LeftOut]:
-    """Return the sheets that stand free in rooms."""
-    inside = division.rooms().buffer(-settings.free_faces.apart_m)
-    lines = [LineString([sheet.start, sheet.stop]).intersection(inside) for sheet in sheets]
-    return [
-        LeftOut(part, "stands free in a room: furniture, a curtain or a door leaf")
-        for line in lines
-        for part in parts_of(line)
-        if part.length >= settings.free_faces.run_m
-    ]
+def _left_out(
+    division: Division, sheets: list[Sheet], walls: list[Wall], along: UprightsAlong, settings: StoreySettings
+) -> list[LeftOut]:
+    """Return the surfaces in rooms that are not walls."""
+    faces, _ = division.faces(settings.cut)
+    outlines = [wall.outline for wall in walls]
+    chosen = settings.free_faces, settings.cut, settings.levels
+    return find_left_out(sheets, division.rooms(), outlines, faces, along, *chosen)

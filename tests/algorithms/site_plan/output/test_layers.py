@@ -20,8 +20,9 @@ from ichnograph.algorithms.site_plan.output.layers import (
     write_walls,
 )
 from ichnograph.algorithms.site_plan.rooms.rooms import find_rooms
-from ichnograph.algorithms.site_plan.storeys.levels import Storey
-from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
+from ichnograph.algorithms.site_plan.storeys.evidence.levels import Storey
+from ichnograph.algorithms.site_plan.storeys.storey_plan import StoreyPlan
+from ichnograph.algorithms.site_plan.storeys.walls.left_out import LeftOut
 from ichnograph.tests.algorithms.site_plan.house import UTM, plan_of_house
 from shapely.geometry import LineString, Point, Polygon, box, shape
 
@@ -101,7 +102,7 @@ def with_storey(limits, left_out):
 def test_limits_and_what_was_left_out_are_lines(tmp_path, ending):
     limit = LineString([(412_300, 5_812_300), (412_303, 5_812_304)])
     board = LineString([(412_301, 5_812_301), (412_302, 5_812_301)])
-    plan = with_storey([limit], [LeftOut(board, "stands free in a room")])
+    plan = with_storey([limit], [LeftOut(board, "stands free in a room", 2.0)])
     write_limits(tmp_path / f"limits.{ending}", plan)
     write_left_out(tmp_path / f"left_out.{ending}", plan)
     with fiona.open(tmp_path / f"limits.{ending}") as layer:
@@ -112,13 +113,17 @@ def test_limits_and_what_was_left_out_are_lines(tmp_path, ending):
     with fiona.open(tmp_path / f"left_out.{ending}") as layer:
         (feature,) = layer
         assert list(layer.schema["properties"]) == list(LEFT_OUT_FIELDS)
-        assert dict(feature["properties"]) == {"reason": "stands free in a room", "length": 1.0}
+        assert dict(feature["properties"]) == {
+            "reason": "stands free in a room",
+            "length": 1.0,
+            "area": 2.0,
+        }
         assert shape(feature["geometry"]).equals(board)
 
 
 def test_every_reason_fits_into_its_field(tmp_path):
     long = "x" * 80
-    write_left_out(tmp_path / "out.shp", with_storey([], [LeftOut(LineString([(0, 0), (1, 0)]), long)]))
+    write_left_out(tmp_path / "out.shp", with_storey([], [LeftOut(LineString([(0, 0), (1, 0)]), long, 2.0)]))
     with fiona.open(tmp_path / "out.shp") as layer:
         assert [feature["properties"]["reason"] for feature in layer] == [long]
 

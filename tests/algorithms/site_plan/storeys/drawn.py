@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 import numpy as np
-from ichnograph.algorithms.site_plan.storeys.division import divide
-from ichnograph.algorithms.site_plan.storeys.evidence import UprightsAlong
-from ichnograph.algorithms.site_plan.storeys.footprint import Footprint
-from ichnograph.algorithms.site_plan.storeys.levels import Frame, Storey, Uprights
-from ichnograph.algorithms.site_plan.storeys.sheets import Sheet
+from ichnograph.algorithms.site_plan.storeys.division.division import divide
+from ichnograph.algorithms.site_plan.storeys.evidence.footprint import Footprint
+from ichnograph.algorithms.site_plan.storeys.evidence.levels import Frame, Storey, Uprights
+from ichnograph.algorithms.site_plan.storeys.evidence.sheets import Sheet
+from ichnograph.algorithms.site_plan.storeys.evidence.uprights_along import UprightsAlong
 
 STOREY = Storey(0.0, 2.6)
 

@@ -10,6 +10,8 @@ from ichnograph.algorithms.errors import CancelledError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.site_plan.density.density_image import sort_and_image
 from ichnograph.algorithms.site_plan.rooms.rooms import Room
+from ichnograph.algorithms.site_plan.storeys.evidence.levels import Storey
+from ichnograph.algorithms.site_plan.storeys.evidence.sheets import Sheet
 from ichnograph.algorithms.site_plan.storeys.joining import (
     bodies,
     join_rooms,
@@ -17,11 +19,11 @@ from ichnograph.algorithms.site_plan.storeys.joining import (
     plan_storey,
     under_roof,
 )
-from ichnograph.algorithms.site_plan.storeys.levels import Storey
-from ichnograph.algorithms.site_plan.storeys.room_cells import Room as StoreyRoom
+from ichnograph.algorithms.site_plan.storeys.rooms.room_cells import Room as StoreyRoom
 from ichnograph.algorithms.site_plan.storeys.settings import JoiningSettings, StoreySettings
-from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
-from ichnograph.algorithms.site_plan.storeys.walls import Wall as StoreyWall
+from ichnograph.algorithms.site_plan.storeys.storey_plan import StoreyPlan
+from ichnograph.algorithms.site_plan.storeys.walls.left_out import LeftOut
+from ichnograph.algorithms.site_plan.storeys.walls.walls import Wall as StoreyWall
 from ichnograph.algorithms.site_plan.walls.wall import Wall
 from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, room, scanned, upright
@@ -75,7 +77,7 @@ def image_of(*walls):
 
 
 def joined(walls, storey, image=image_of()):
-    return join_walls(walls, storey, image, GRID, JOINING)
+    return join_walls(walls, storey, image, GRID, JOINING)[0]
 
 
 def test_rooms_and_walls_under_the_roof_are_kept_and_those_in_the_open_are_not():
@@ -94,7 +96,7 @@ def test_a_room_half_under_a_canopy_is_in_the_open():
 def test_limits_and_what_was_left_out_are_those_under_the_roof():
     near, far = LineString([(4, 1), (4, 2)]), LineString([(9, 1), (9, 2)])
     found = under_roof(
-        storey_of(limits=(near, far), left_out=(LeftOut(near, "a"), LeftOut(far, "b"))), JOINING
+        storey_of(limits=(near, far), left_out=(LeftOut(near, "a", 2.0), LeftOut(far, "b", 2.0))), JOINING
     )
     assert found.limits == (near,)
     assert [item.reason for item in found.left_out] == ["a"]
@@ -136,6 +138,51 @@ def test_a_wall_cut_in_two_gets_two_numbers():
     found = joined([site_wall(1, box(-3, 1, 9, 1.3))], storey)
     assert [wall.wall_id for wall in found] == [1, 2]
     assert unary_union([wall.outline for wall in found]).area == pytest.approx((2.5 + 4.5) * 0.3)
+
+
+def column_of(x, y, levels):
+    """Return a column of the density image, and the sheets on two of its sides."""
+    sides = [((x, y), (x + 0.4, y)), ((x, y), (x, y + 0.4))]
+    sheets = tuple(Sheet(np.array(a, float), np.array(b, float), levels, 0.002) for a, b in sides)
+    return replace(site_wall(1, box(x, y, x + 0.4, y + 0.4)), kind="column", coverage=0.5), sheets
+
+
+@pytest.mark.parametrize(("levels", "kept"), [(24.0, 1), (8.0, 0)], ids=["a column", "a cupboard"])
+def test_a_column_seen_from_two_sides_is_kept_in_a_room_if_it_is_higher_than_furniture(levels, kept):
+    column, sheets = column_of(1.0, 1.0, levels)
+    storey = replace(under_roof(storey_of(), JOINING), sheets=sheets)
+    assert len(joined([column], storey)) == kept
+
+
+def test_pixels_without_a_sheet_are_no_column():
+    column, _ = column_of(1.0, 1.0, 24.0)
+    assert joined([column], under_roof(storey_of(), JOINING)) == ()
+
+
+AROUND = [box(0, -0.2, 4, 0), box(4, 0, 4.2, 3), box(0, 3, 4, 3.2), box(-0.2, 0, 0, 3)]
+
+
+def test_what_stands_apart_from_a_building_is_left_out_with_the_reason():
+    storey = under_roof(storey_of(walls=AROUND), JOINING)
+    image = site_wall(1, box(7, 0, 9, 0.2))
+    walls, (apart,) = join_walls([image], storey, image_of(), GRID, JOINING)
+    assert len(walls) == 4
+    assert apart.reason.startswith("stands apart")
+    assert apart.line.bounds == pytest.approx((7, 0.1, 9, 0.1))
+
+
+def test_walls_apart_that_are_long_are_ruins_and_those_that_join_the_building_a_yard():
+    storey = under_roof(storey_of(walls=AROUND), JOINING)
+    ruin = [site_wall(1, box(7, 0, 17, 0.2))]
+    yard = [site_wall(1, box(4.5, 3, 6.5, 3.2)), site_wall(2, box(6.3, 3.2, 6.5, 3.8))]
+    assert len(joined(ruin, storey)) == 5
+    assert len(joined(yard, storey)) == 6
+
+
+def test_a_roof_without_a_room_is_in_the_open():
+    reflected = box(8, 0, 10, 3)
+    found = under_roof(storey_of(region=unary_union([HOUSE, reflected])), JOINING)
+    assert not found.region.intersects(reflected)
 
 
 def test_density_and_votes_are_those_of_the_pixels_and_null_where_there_are_none():

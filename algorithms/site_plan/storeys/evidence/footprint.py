@@ -1,0 +1,111 @@
+"""The footprint of a storey: where floor or ceiling was seen."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from ..settings import FootprintSettings, LevelSettings
+from .levels import Frame, Storey, Uprights, count_levels
+from .sheets import Sheet
+from .voxels import Voxels
+
+
+@dataclass(frozen=True)
+class Footprint:
+    """How sure it is that a pixel belongs to a room.
+
+    Attributes
+    ----------
+    frame : Frame
+    weight : ndarray of float32, shape (rows, columns)
+        0 (nothing was seen) to 1; nan where upright surfaces make it unknown.
+    floor, ceiling : ndarray of float32, shape (rows, columns)
+        Heights of the lowest flat surface below `top_m` and of the highest in reach of a ceiling, metres; nan
+        where none was seen.
+    """
+
+    frame: Frame
+    weight: np.ndarray
+    floor: np.ndarray
+    ceiling: np.ndarray
+
+
+def find_footprint(
+    voxels: Voxels,
+    storey: Storey,
+    uprights: Uprights,
+    sheets: Sequence[Sheet],
+    frame: Frame,
+    settings: FootprintSettings = FootprintSettings(),
+    levels: LevelSettings = LevelSettings(),
+) -> Footprint:
+    """Rate every pixel by what was seen of floor and ceiling."""
+    z = voxels.xyz[:, 2]
+    touching = np.abs(z - storey.floor) < settings.touching_m
+    if storey.ceiling is not None:
+        touching |= np.abs(z - storey.ceiling) < settings.touching_m
+    flat = np.abs(voxels.normal[:, 2]) > levels.flat
+    flat |= touching & ~voxels.normal.any(axis=1)
+    xyz = voxels.xyz[flat]
+    row, column = frame.places(xyz)
+    low = xyz[:, 2] < storey.floor + settings.top_m
+    high = xyz[:, 2] > storey.floor + levels.lowest_storey_m
+    floor = _extreme(np.fmin, row[low], column[low], xyz[low, 2], frame.shape)
+    ceiling = _extreme(np.fmax, row[high], column[high], xyz[high, 2], frame.shape)
+    reach = 2 * round(settings.around_m / frame.pixel_m) + 1
+    around = ndimage.maximum_filter(np.where(np.isnan(ceiling), -np.inf, ceiling), reach)
+    weight = np.zeros(frame.shape, np.float32)
+    weight[np.isfinite(ceiling)] = settings.soffit_weight
+    weight[np.isfinite(floor)] = settings.floor_weight
+    weight[ceiling >= around - settings.drop_m] = settings.ceiling_weight
+    neutral = _are_upright(uprights, frame, settings.upright_levels)
+    closing = min(settings.closed_spacings * voxels.spacing_m, settings.closed_m)
+    barrier = neutral | _drawn(sheets, frame, settings.barrier_m)
+    weight = _closed(weight, barrier, max(round(closing / frame.pixel_m), 1))
+    weight[neutral | (barrier & (weight == 0))] = np.nan
+    return Footprint(frame, weight, floor, ceiling)
+
+
+def _extreme(
+    function: np.ufunc, row: np.ndarray, column: np.ndarray, z: np.ndarray, shape: tuple[int, int]
+) -> np.ndarray:
+    heights = np.full(shape, np.nan, np.float32)
+    function.at(heights, (row, column), z.astype(np.float32))
+    return heights
+
+
+def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:
+    """Return which pixels hold so many levels of upright surface."""
+    pixels = frame.places(uprights.xy)
+    bits = np.zeros(frame.shape, np.uint64)
+    np.bitwise_or.at(bits, pixels, uprights.levels)
+    many = np.zeros(frame.shape, bool)
+    held = bits > 0
+    many[held] = count_levels(bits[held]) >= fewest
+    return many
+
+
+def _drawn(sheets: Sequence[Sheet], frame: Frame, extension: float) -> np.ndarray:
+    """Return which pixels sheets lie on, or would lie on if they were longer."""
+    drawn = np.zeros(frame.shape, bool)
+    for sheet in sheets:
+        count = int(3 * (sheet.length + 2 * extension) / frame.pixel_m) + 2
+        beyond = extension * sheet.direction
+        row, column = frame.places(np.linspace(sheet.start - beyond, sheet.stop + beyond, count))
+        inside = (row >= 0) & (row < frame.shape[0]) & (column >= 0) & (column < frame.shape[1])
+        drawn[row[inside], column[inside]] = True
+    return drawn
+
+
+def _closed(weight: np.ndarray, barrier: np.ndarray, radius: int) -> np.ndarray:
+    """Close gaps up to so many pixels from each side, but nothing behind a barrier."""
+    closed = weight.copy()
+    free = ~barrier
+    for value in np.unique(weight[weight > 0]):
+        seen = ndimage.binary_dilation((weight >= value) & free, iterations=radius, mask=free)
+        unseen = ndimage.binary_dilation(free & ~seen, iterations=radius, mask=free)
+        filled = free & ~unseen
+        closed[filled] = np.maximum(closed[filled], value)
+    return closed

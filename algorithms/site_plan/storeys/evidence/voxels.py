@@ -1,0 +1,239 @@
+"""Voxels of a cloud: one mean point each, with the normal of the surface around it."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from scipy.spatial import cKDTree
+
+from ....geometry.linked_parts import label_linked
+from ..settings import VoxelSettings
+
+HALF_RANGE = 1 << 20
+"""Voxels on each side of the local origin that a key can hold: 20 km at 2 cm."""
+
+BITS = 21
+
+
+@dataclass(frozen=True)
+class Voxels:
+    """Occupied voxels of a cloud.
+
+    Attributes
+    ----------
+    xyz : ndarray of float64, shape (n, 3)
+        Mean of the points inside, metres, relative to the local origin.
+    normal : ndarray of float32, shape (n, 3)
+        Unit normal of the surface, its sign is arbitrary; zero where there is no surface.
+    edge_m : float
+        Edge of a voxel, metres.
+    spacing_m : float
+        Usual distance between neighbouring points, not less than the voxel's edge.
+    noise_m : float
+        Usual standard deviation of the points across upright surfaces.
+    """
+
+    xyz: np.ndarray
+    normal: np.ndarray
+    edge_m: float
+    spacing_m: float
+    noise_m: float
+
+
+def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSettings()) -> Voxels:
+    """Reduce points to voxels and find the normals.
+
+    Parameters
+    ----------
+    chunks : iterable of ndarray of float64, shape (n, 3)
+        Points, metres, relative to a local origin.
+    settings : VoxelSettings
+    """
+    xyz = _without_strays(_means(chunks, settings.edge_m), settings)
+    if len(xyz) < settings.neighbours + 1:
+        return Voxels(xyz, np.zeros(xyz.shape, np.float32), settings.edge_m, settings.edge_m, 0.0)
+    spacing = max(_spacing(xyz, settings), settings.edge_m)
+    widest = settings.widest_normal_radius_m
+    radius = min(max(settings.normal_radius_m, settings.normal_radius_spacings * spacing), widest)
+    fewest = settings.fewest_neighbours
+    normal, thickness = _normals(xyz, radius, fewest)
+    noise = _noise(normal, thickness, settings.upright)
+    wider = min(settings.normal_radius_noises * noise, widest)
+    if wider > settings.refit_growth * radius:
+        radius = wider
+        normal, thickness = _normals(xyz, radius, fewest)
+        noise = _noise(normal, thickness, settings.upright)
+    surface = thickness <= settings.flatness * radius
+    lonely = np.isinf(thickness)
+    if lonely.mean() > settings.lonely_share:
+        more, thickness = _normals(xyz, 2 * radius, fewest)
+        normal[lonely] = more[lonely]
+        surface[lonely] = thickness[lonely] <= settings.flatness * radius
+    normal[~surface] = 0.0
+    return Voxels(xyz, normal, settings.edge_m, spacing, noise)
+
+
+def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
+    """Return the mean of the points in each voxel, shape (n, 3)."""
+    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
+    for chunk in chunks:
+        if len(chunk):
+            index = np.floor(chunk / edge)
+            # Sums of what is left of the voxel's corner are small, so that four bytes hold them.
+            left = np.column_stack([chunk - index * edge, np.ones(len(chunk))]).astype(np.float32)
+            added = _reduced(_packed(index), left)
+            keys, sums = _reduced(np.concatenate([keys, added[0]]), np.concatenate([sums, added[1]]))
+    return _unpacked(keys) * edge + sums[:, :3].astype(float) / np.maximum(sums[:, 3:], 1)
+
+
+def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
+    """Drop the small parts that lie far from the rest: reflections put points a kilometre away."""
+    if not len(xyz):
+        return xyz
+    blocks, member = np.unique(
+        np.floor(xyz[:, :2] / settings.apart_m).astype(int), axis=0, return_inverse=True
+    )
+    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    around = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+    pairs = [
+        (i, number[x + dx, y + dy])
+        for (x, y), i in number.items()
+        for dx, dy in around
+        if (x + dx, y + dy) in number
+    ]
+    first, second = np.array(pairs).T
+    part = label_linked(first, second, len(blocks))[member.ravel()]
+    return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
+
+
+def _packed(index: np.ndarray) -> np.ndarray:
+    """Return one number for three whole ones, shape (n, 3); neighbours in z have neighbouring numbers."""
+    x, y, z = (index.astype(np.int64) + HALF_RANGE).T
+    return (x << 2 * BITS) | (y << BITS) | z
+
+
+def _unpacked(keys: np.ndarray) -> np.ndarray:
+    """Return the three whole numbers, shape (n, 3)."""
+    mask = (1 << BITS) - 1
+    return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
+
+
+def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Add up the values, shape (n, k), of equal keys."""
+    order = np.argsort(keys, kind="stable")
+    keys = keys[order]
+    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]])
+    return keys[first], np.add.reduceat(values[order], first, axis=0)
+
+
+def _spacing(xyz: np.ndarray, settings: VoxelSettings) -> float:
+    """Return the usual distance of neighbours, measured in columns of a metre all over the cloud."""
+    columns = np.floor(xyz[:, :2]).astype(np.int64) + HALF_RANGE
+    number = (columns[:, 0] << BITS) | columns[:, 1]
+    every = max(len(xyz) // settings.sampled_points, 1)
+    chosen = xyz[number % every == 0] if every > 1 else xyz
+    if len(chosen) < settings.fewest_sampled_points:
+        chosen = xyz
+    queried = chosen[:: max(len(chosen) // settings.queried_points, 1)]
+    distance = cKDTree(chosen).query(queried, settings.neighbours + 1)[0][:, -1]
+    return float(np.median(distance) / np.sqrt(2.0))
+
+
+def _noise(normal: np.ndarray, thickness: np.ndarray, most: float) -> float:
+    """Return the median thickness of upright surfaces, metres."""
+    upright = np.isfinite(thickness) & (np.abs(normal[:, 2]) < most)
+    return float(np.median(thickness[upright])) if upright.any() else 0.0
+
+
+def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
+    buckets = _packed(np.floor(xyz / radius))
+    order = np.argsort(buckets, kind="stable")
+    normal, thickness = _fit_planes(xyz[order], buckets[order], radius, fewest)
+    back = np.empty_like(order)
+    back[order] = np.arange(len(order))
+    return normal[back], thickness[back]
+
+
+@njit(nogil=True, cache=True)
+def _fit_planes(
+    xyz: np.ndarray, buckets: np.ndarray, radius: float, fewest: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
+    count = len(xyz)
+    normal = np.zeros((count, 3), np.float32)
+    thickness = np.full(count, np.inf, np.float32)
+    reach = radius * radius
+    starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
+    last = np.int64(-1)
+    for i in range(count):
+        if buckets[i] != last:
+            last = buckets[i]
+            _find_around(buckets, last, starts, ends)
+        n = 0
+        sx = sy = sz = sxx = sxy = sxz = syy = syz = szz = 0.0
+        for k in range(9):
+            for j in range(starts[k], ends[k]):
+                x, y, z = xyz[j, 0] - xyz[i, 0], xyz[j, 1] - xyz[i, 1], xyz[j, 2] - xyz[i, 2]
+                if x * x + y * y + z * z <= reach:
+                    n += 1
+                    sx += x
+                    sy += y
+                    sz += z
+                    sxx += x * x
+                    sxy += x * y
+                    sxz += x * z
+                    syy += y * y
+                    syz += y * z
+                    szz += z * z
+        if n < fewest:
+            continue
+        sx, sy, sz = sx / n, sy / n, sz / n
+        sxx, sxy, sxz = sxx / n - sx * sx, sxy / n - sx * sy, sxz / n - sx * sz
+        syy, syz, szz = syy / n - sy * sy, syz / n - sy * sz, szz / n - sz * sz
+        smallest = _thinnest(sxx, sxy, sxz, syy, syz, szz, normal[i])
+        thickness[i] = np.sqrt(max(smallest, 0.0))
+    return normal, thickness
+
+
+@njit(nogil=True, cache=True)
+def _find_around(buckets: np.ndarray, middle: int, starts: np.ndarray, ends: np.ndarray) -> None:
+    """Write where the nine columns of three buckets around a bucket start and end."""
+    k = 0
+    for dx in range(-1, 2):
+        for dy in range(-1, 2):
+            column = middle + (dx * (np.int64(1) << 42)) + (dy * (np.int64(1) << 21))
+            starts[k] = np.searchsorted(buckets, column - 1)
+            ends[k] = np.searchsorted(buckets, column + 2)
+            k += 1
+
+
+@njit(nogil=True, cache=True)
+def _thinnest(a: float, b: float, c: float, d: float, e: float, f: float, direction: np.ndarray) -> float:
+    """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
+    mean = (a + d + f) / 3.0
+    p1 = b * b + c * c + e * e
+    p = np.sqrt(((a - mean) ** 2 + (d - mean) ** 2 + (f - mean) ** 2 + 2.0 * p1) / 6.0)
+    if p < 1e-12:
+        return mean
+    u, v, w = (a - mean) / p, (d - mean) / p, (f - mean) / p
+    x, y, z = b / p, c / p, e / p
+    half = (u * (v * w - z * z) - x * (x * w - z * y) + y * (x * z - v * y)) / 2.0
+    angle = np.arccos(min(1.0, max(-1.0, half))) / 3.0
+    smallest = mean + 2.0 * p * np.cos(angle + 2.0 * np.pi / 3.0)
+    a, d, f = a - smallest, d - smallest, f - smallest
+    best = 0.0
+    for k in range(3):
+        if k == 0:
+            x, y, z = b * e - c * d, c * b - a * e, a * d - b * b
+        elif k == 1:
+            x, y, z = b * f - c * e, c * c - a * f, a * e - b * c
+        else:
+            x, y, z = d * f - e * e, e * c - b * f, b * e - d * c
+        length = x * x + y * y + z * z
+        if length > best:
+            best = length
+            root = np.sqrt(length)
+            direction[0], direction[1], direction[2] = x / root, y / root, z / root
+    return smallest

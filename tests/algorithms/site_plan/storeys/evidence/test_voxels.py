@@ -1,0 +1,44 @@
+"""Points as voxels with normals."""
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.site_plan.storeys.evidence.voxels import make_voxels
+from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, room, scanned, upright
+
+
+def test_a_voxel_holds_the_mean_of_its_points():
+    points = np.array([[0.001, 0.001, 0.001], [0.011, 0.013, 0.015], [5.0, 5.0, 5.0]])
+    found = make_voxels([points]).xyz
+    assert found[0] == pytest.approx([0.006, 0.007, 0.008], abs=1e-6)
+    assert len(found) == 2
+
+
+def test_normals_of_a_floor_are_upright_and_of_a_wall_level():
+    voxels = make_voxels([np.concatenate([flat(0, 0, 2, 2, 0.0), upright((5, 0), (5, 2))])])
+    floor = voxels.xyz[:, 0] < 3
+    assert np.abs(voxels.normal[floor, 2]).min() > 0.99
+    assert np.abs(voxels.normal[~floor, 0]).min() > 0.99
+
+
+def test_spacing_and_noise_are_measured():
+    sparse = make_voxels([scanned(room(0, 0, 4, 3, spacing=0.06), noise=0.0)])
+    assert sparse.spacing_m == pytest.approx(0.06, rel=0.15)
+    noisy = make_voxels([scanned(room(0, 0, 4, 3, spacing=0.02), noise=0.005)])
+    assert noisy.noise_m == pytest.approx(0.005, rel=0.25)
+
+
+def test_what_fills_space_has_no_normal():
+    bush = np.random.default_rng(0).uniform(0, 1, (20000, 3))
+    voxels = make_voxels([bush])
+    inner = np.all((voxels.xyz > 0.2) & (voxels.xyz < 0.8), axis=1)
+    assert voxels.normal[inner].any(axis=1).mean() < 0.05
+
+
+def test_reflections_far_away_are_left_out():
+    points = np.concatenate([scanned(room(0, 0, 4, 3)), [[900.0, 0.0, 0.0], [0.0, -700.0, 3.0]]])
+    assert np.abs(make_voxels([points]).xyz).max() < 5
+
+
+def test_nothing_gives_nothing():
+    assert len(make_voxels([]).xyz) == 0
+    assert len(make_voxels([np.zeros((0, 3)), np.zeros((1, 3))]).xyz) == 1
