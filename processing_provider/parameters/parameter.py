@@ -137,7 +137,7 @@ class Choice(Parameter):
     """One of several options, by its number from 0; the first is the default."""
 
     options: tuple[str, ...]
-    advanced: bool = False
+    optional: bool = False
 
     @property
     def explanation(self) -> str:
@@ -145,16 +145,15 @@ class Choice(Parameter):
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
-        # Optional, because models stored before an advanced choice was added have no value for it.
-        definition = QgsProcessingParameterEnum(
+        # A choice that was added later is optional, because older models have no value for it.
+        return QgsProcessingParameterEnum(
             self.name,
             self.description,
             list(self.options),
             allowMultiple=False,
             defaultValue=0,
-            optional=self.advanced,
+            optional=self.optional,
         )
-        return _marked(definition) if self.advanced else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext

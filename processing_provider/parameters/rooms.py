@@ -62,7 +62,6 @@ ROOMS = PolygonDestination(
     "shapefile, by extension.",
     style="rooms",
     optional=True,
-    by_default=False,
 )
 
 LIMITS = LineDestination(
@@ -87,10 +86,9 @@ LEFT_OUT = LineDestination(
 
 REPORT = HtmlDestination(
     "REPORT",
-    "Report",
+    "Report of the site plan",
     "HTML page that shows what each parameter did, and which to change; see the results viewer.",
     optional=True,
-    by_default=False,
 )
 
 ROOM_NUMBERS = (

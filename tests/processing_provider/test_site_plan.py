@@ -133,12 +133,13 @@ def test_the_defaults_of_the_parameters_are_those_of_the_core(plugin):
     assert settings_of({**given, "SECTION": 0.9}).storeys.cut.section_m == 0.9
 
 
-def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, tmp_path):
+def test_scripts_get_what_they_ask_for_and_a_dialog_offers_rooms_and_report(provider, run, room, tmp_path):
     result = run("siteplan", INPUT=room, WALLS=str(tmp_path / "walls.gpkg"))
 
     assert not {*FURTHER, "ROOM_COUNT", "ROOM_AREA"} & {*result}
     definitions = {item.name(): item for item in provider.algorithm("siteplan").parameterDefinitions()}
-    assert not any(definitions[name].createByDefault() for name in FURTHER)
+    offered = {name for name in (*FURTHER, "PLAN", "DENSITY") if definitions[name].createByDefault()}
+    assert offered == {"DENSITY", "ROOMS", "REPORT"}
 
 
 def test_rooms_can_be_the_result_of_a_model(provider, room, tmp_path):
