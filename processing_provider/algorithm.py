@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
+    QgsProject,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -72,6 +73,8 @@ class Algorithm(QgsProcessingAlgorithm):
         Names and labels of the numeric outputs.
     needs : tuple of str
         The modules without which it does not run.
+    project : QgsProject or None
+        Of the run.
     """
 
     key = title = chapter = summary = about = ""
@@ -84,6 +87,7 @@ class Algorithm(QgsProcessingAlgorithm):
     def __init__(self) -> None:
         super().__init__()
         self._layers: list[str] = []
+        self.project: Optional[QgsProject] = None
 
     @abstractmethod
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
@@ -160,6 +164,7 @@ class Algorithm(QgsProcessingAlgorithm):
             if missing:
                 raise QgsProcessingException(explain_missing(missing))
             log = Log(feedback, self._labels())
+            self.project = context.project() or QgsProject.instance()
             log.warn(self._unknown(parameters))
             values = self._values(parameters, context)
             chosen = {output: output.value(self, parameters, context) for output in self.destinations}

@@ -15,6 +15,7 @@ from .algorithms.density_image import DensityImageAlgorithm
 from .algorithms.extract_walls import ExtractWallsAlgorithm
 from .algorithms.facade_details import FacadeDetailsAlgorithm
 from .algorithms.facade_planes import FacadePlanesAlgorithm
+from .algorithms.plan_layout import PlanLayoutAlgorithm
 from .algorithms.register_scans import RegisterScansAlgorithm
 from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
 from .algorithms.site_plan import SitePlanAlgorithm
@@ -67,6 +68,7 @@ class Provider(QgsProcessingProvider):
             DensityImageAlgorithm,
             ExtractWallsAlgorithm,
             ComparePlanAlgorithm,
+            PlanLayoutAlgorithm,
             ThinCloudAlgorithm,
             TransformCloudAlgorithm,
             RegisterScansAlgorithm,

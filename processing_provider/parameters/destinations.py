@@ -265,6 +265,22 @@ class DrawingDestination(FileDestination):
 
 
 @dataclass(frozen=True)
+class PdfDestination(FileDestination):
+    """A sheet to print."""
+
+    extensions = (".pdf",)
+    filters = "PDF files (*.pdf)"
+
+
+@dataclass(frozen=True)
+class SvgDestination(FileDestination):
+    """A sheet for drawing programs."""
+
+    extensions = (".svg",)
+    filters = "SVG files (*.svg)"
+
+
+@dataclass(frozen=True)
 class HtmlDestination(FileDestination):
     """A page, which QGIS lists in its results viewer; made by default unless QGIS lacks its packages."""
 

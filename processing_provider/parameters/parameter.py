@@ -21,6 +21,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
 )
 
 from ...algorithms.errors import InputError
@@ -199,6 +200,19 @@ class Flag(Parameter):
         if text not in words:
             raise InputError(f"{self.name} must be true or false, not {text}.")
         return words[text]
+
+
+@dataclass(frozen=True)
+class Text(Parameter):
+    """A line of text; empty if the user leaves it so."""
+
+    def _definition(self) -> QgsProcessingParameterString:
+        return QgsProcessingParameterString(self.name, self.description, optional=True)
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> str:
+        return str(algorithm.parameterAsString(parameters, self.name, context)).strip()
 
 
 @dataclass(frozen=True)

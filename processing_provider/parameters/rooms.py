@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..log import Log
-from .destinations import HtmlDestination, LineDestination, PolygonDestination, Writer
+from .destinations import DrawingDestination, HtmlDestination, LineDestination, PolygonDestination, Writer
 from .parameter import Flag, Number
 
 if TYPE_CHECKING:
@@ -91,6 +91,14 @@ REPORT = HtmlDestination(
     optional=True,
 )
 
+DRAWING = DrawingDestination(
+    "DRAWING",
+    "Drawing",
+    "DXF file in metres: walls, faces, axes, and rooms with names and areas, on layers; needs the package "
+    "ezdxf.",
+    optional=True,
+)
+
 ROOM_NUMBERS = (
     ("ROOM_COUNT", "Number of rooms, if ROOMS are made"),
     ("ROOM_AREA", "Area of the rooms (m²), if ROOMS are made"),
@@ -121,8 +129,9 @@ def _storey(found: "StoreyPlan", heights: "Storey") -> str:
 
 
 def room_writers(plan: "SitePlan") -> dict[str, Writer]:
-    """Return what writes AXES, ROOMS, LIMITS, LEFT_OUT and REPORT."""
+    """Return what writes AXES, ROOMS, LIMITS, LEFT_OUT, REPORT and DRAWING."""
     from ...algorithms.site_plan.output.layers import write_axes, write_left_out, write_limits, write_rooms
+    from ...algorithms.site_plan.output.plan_drawing import write_plan_drawing
 
     writers = {
         "AXES": write_axes,
@@ -130,6 +139,7 @@ def room_writers(plan: "SitePlan") -> dict[str, Writer]:
         "LIMITS": write_limits,
         "LEFT_OUT": write_left_out,
         "REPORT": _write_report,
+        "DRAWING": write_plan_drawing,
     }
     return {name: partial(write, plan=plan) for name, write in writers.items()}
 

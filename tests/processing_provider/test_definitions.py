@@ -26,17 +26,21 @@ def context(plugin):
 def field(algorithm, context):
     """Return the wrapper of the widget of a parameter, as its dialog makes it."""
     from processing.gui.wrappers import WidgetWrapperFactory
+    from qgis.PyQt import sip
     from qgis.PyQt.QtWidgets import QDialog, QVBoxLayout
 
     dialog = QDialog()
     layout = QVBoxLayout(dialog)
+    kept = []
 
     def field(key, name):
         wrapper = WidgetWrapperFactory.create_wrapper(algorithm(key).parameterDefinition(name), dialog)
-        layout.addWidget(wrapper.createWrappedWidget(context))
+        layout.addWidget(wrapper.widget)
+        kept.append(wrapper)
         return wrapper
 
-    return field
+    yield field
+    sip.delete(dialog)
 
 
 def test_the_file_chooser_offers_clouds_first(algorithm):
@@ -124,6 +128,7 @@ def test_a_text_list_is_not_opened_as_a_layer(algorithm, field, context, tmp_pat
 def test_a_batch_has_a_row_for_each_of_three_scans(algorithm, context):
     from processing.gui.BatchPanel import BatchPanel, BatchPanelFillWidget
     from qgis.gui import QgsMessageBar
+    from qgis.PyQt import sip
     from qgis.PyQt.QtWidgets import QDialog
 
     class Dialog(QDialog):
@@ -142,6 +147,8 @@ def test_a_batch_has_a_row_for_each_of_three_scans(algorithm, context):
 
     assert panel.batchRowCount() == 3
     rows = [panel.parametersForRow(row, warnOnInvalid=False)[0]["INPUT"] for row in range(3)]
+    for widget in (fill, panel, bar, dialog):
+        sip.delete(widget)
     assert rows == [[scan] for scan in SCANS]
 
 
@@ -149,6 +156,7 @@ def test_in_the_model_designer_inputs_of_the_model_can_be_chosen(algorithm, cont
     from processing.gui.wrappers import WidgetWrapperFactory
     from qgis.core import QgsProcessingModelAlgorithm
     from qgis.gui import QgsProcessingModelerParameterWidget
+    from qgis.PyQt import sip
     from qgis.PyQt.QtWidgets import QDialog
 
     class ModelerParametersDialog(QDialog):
@@ -158,9 +166,10 @@ def test_in_the_model_designer_inputs_of_the_model_can_be_chosen(algorithm, cont
     dialog.model, dialog.childId, dialog.context = QgsProcessingModelAlgorithm(), "1", context
     definition = algorithm("siteplan").parameterDefinition("INPUT")
 
-    assert isinstance(
-        WidgetWrapperFactory.create_wrapper(definition, dialog), QgsProcessingModelerParameterWidget
-    )
+    wrapper = WidgetWrapperFactory.create_wrapper(definition, dialog)
+    assert isinstance(wrapper, QgsProcessingModelerParameterWidget)
+    sip.delete(wrapper)
+    sip.delete(dialog)
 
 
 def test_a_copy_is_like_the_original(algorithm):

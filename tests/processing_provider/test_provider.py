@@ -45,10 +45,11 @@ DEFAULTS = {
     "TOLERANCE": None,
     "DOOR_WIDTH": 1.3,
     "SECTION": 1.1,
+    "SCALE": 50,
 }
 WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
 WALL_NUMBERS = {"WALL_COUNT", "WALL_AREA", "WALL_LENGTH"}
-FURTHER_FILES = {"AXES", "ROOMS", "LIMITS", "LEFT_OUT", "REPORT"}
+FURTHER_FILES = {"DRAWING", "AXES", "ROOMS", "LIMITS", "LEFT_OUT", "REPORT"}
 FACADE_FILES = {"ORTHOIMAGE", "DETAILS", "ELEVATION", "SCHEDULE", "DRAWING"}
 REGISTRATION_FILES = {"TRANSFORMS", "RESIDUALS", "CONTROL_OUT", "REPORT"}
 
@@ -83,6 +84,10 @@ CONTRACT = {
     "compareplan": (
         {"WALLS", "REFERENCE", "TOLERANCE", "ERRORS", "REPORT"},
         {"ERRORS", "REPORT", "COMPLETENESS", "CORRECTNESS", "IOU", "MEDIAN_OFFSET", "P95_OFFSET"},
+    ),
+    "planlayout": (
+        {"WALLS", "ROOMS", "AXES", "IMAGE", "KIND", "SCALE", "SHEET", "TITLE", "PDF", "SVG"},
+        {"PDF", "SVG"},
     ),
     "densityimage": (
         {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY", "HEIGHTS", *HEIGHTS},
@@ -184,7 +189,9 @@ def test_heights_are_found_without_opening_the_advanced_parameters(provider):
 def test_algorithms_run_in_the_background_and_can_be_cancelled(algorithm):
     from qgis.core import QgsProcessingAlgorithm
 
-    assert not algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading
+    # Layouts belong to the main thread.
+    in_front = bool(algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading)
+    assert in_front == (algorithm.name() == "planlayout")
     assert algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagCanCancel
 
 
