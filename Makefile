@@ -12,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test suite lint accuracy plan rooms benchmark figure2 real package test-matrix
-.PHONY: kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
+.PHONY: desktop kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -68,6 +68,9 @@ test: lint suite  ## Check style and types, and run all tests
 
 suite: setup  ## Run all tests
 	$(RUN) -m pytest
+
+desktop: setup  ## Install the zip into an empty profile of QGIS, and use its dialogs under a virtual screen (xvfb)
+	DESKTOP=1 $(RUN) -m pytest tests/desktop
 
 lint: .tools/installed .plugins/ichnograph  ## Check style and types, and security as the plugin repository does
 	.tools/bin/ruff check

@@ -1,10 +1,11 @@
-"""The plugin object of QGIS: it registers the Processing provider, and does nothing else."""
+"""The plugin object of QGIS: it registers the Processing provider and, on the desktop, a menu."""
 
 from typing import Optional
 
 from qgis.core import QgsApplication
 from qgis.gui import QgisInterface
 
+from .processing_provider.menu import Menu
 from .processing_provider.provider import Provider
 
 
@@ -14,11 +15,12 @@ class Plugin:
     Parameters
     ----------
     iface : QgisInterface or None
-        None without a desktop; not used.
+        None without a desktop.
     """
 
     def __init__(self, iface: Optional[QgisInterface]) -> None:
         self.provider: Optional[Provider] = None
+        self._menu = Menu(iface) if iface else None
 
     def initProcessing(self) -> None:  # noqa: N802 - QGIS's name
         """Register the provider; a headless QGIS calls only this."""
@@ -26,9 +28,13 @@ class Plugin:
         QgsApplication.processingRegistry().addProvider(self.provider)
 
     def initGui(self) -> None:  # noqa: N802 - QGIS's name
-        """Register the provider on the desktop."""
+        """Register the provider, and add the menu, on the desktop."""
         self.initProcessing()
+        if self._menu:
+            self._menu.show()
 
     def unload(self) -> None:
-        """Remove the provider from the registry."""
+        """Remove the provider from the registry, and the menu."""
         QgsApplication.processingRegistry().removeProvider(self.provider)
+        if self._menu:
+            self._menu.remove()

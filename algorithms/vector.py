@@ -39,7 +39,7 @@ def write_vector(
     geometry : str
         Geometry type, as 'Polygon'.
     fields : dict of str to str
-        Names, ten characters at most, and fiona types.
+        Names, ten characters at most, and fiona types; the values are rounded to the decimals of the type.
     features : iterable of (shapely geometry, dict)
         Values by field; None is null.
     crs : CRS or None
@@ -58,7 +58,10 @@ def write_vector(
     nowhere = UNKNOWN_METRES if driver == "GPKG" else None
     wkt = crs.to_wkt() if crs else nowhere
     records = [
-        {"geometry": mapping(shape), "properties": {name: values[name] for name in fields}}
+        {
+            "geometry": mapping(shape),
+            "properties": {name: _rounded(values[name], kind) for name, kind in fields.items()},
+        }
         for shape, values in features
     ]
     with (
@@ -68,6 +71,13 @@ def write_vector(
         fiona.open(temporary, "w", driver=driver, schema=schema, crs_wkt=wkt, **options) as layer,
     ):
         layer.writerecords(records)
+
+
+def _rounded(value: Any, kind: str) -> Any:
+    """Return a value with the decimals of its field, as `float:12.3`, which a GeoPackage would not apply."""
+    name, _, size = kind.partition(":")
+    decimals = size.partition(".")[2]
+    return round(float(value), int(decimals)) if name == "float" and decimals and value is not None else value
 
 
 @contextmanager

@@ -3,8 +3,8 @@
 make kills, or: python3 -m ichnograph.benchmarks.kills [--random 50]
 
 A process writes transformations, residuals, control points and the report of a registration over older ones.
-It is killed at each of its operations on file names (renames, removals, new folders), and at random moments. Then
-the folder is recovered as the next run does it, and must hold all outputs of one run.
+It is killed at each of its operations on file names (renames, removals, new folders), and at random moments.
+Then the folder is recovered as the next run does it, and must hold all outputs of one run.
 """
 
 import argparse

@@ -2,6 +2,7 @@
 
 # ruff: noqa: D102, N802 - QGIS defines and names the methods.
 
+import warnings
 from abc import abstractmethod
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -15,20 +16,24 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
+    QgsProject,
 )
 from qgis.PyQt.QtGui import QIcon
 
 from ..algorithms.errors import IchnographError, InputError, MissingPackageError
 from ..algorithms.files import Outputs, new_folder
 from ..algorithms.staging import recover
-from .dependencies import explain_broken, explain_missing, lacking, missing_modules
+from .dependencies import ALL, explain_broken, explain_missing, lacking
+from .help import help_of
+from .labels import with_labels
+from .layers import reopen_layers
 from .log import Log
+from .manual import page_url
 from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
 from .parameters.parameter import Parameter
 from .styles import MARK, show_when_loaded, style_of
 
-ICON = str(Path(__file__).parent / "icons" / "ichnograph.svg")
-MANUAL = "https://github.com/ichnograph/ichnograph/blob/main/docs"
+ICONS = Path(__file__).parent / "icons"
 
 
 @dataclass(frozen=True)
@@ -67,6 +72,10 @@ class Algorithm(QgsProcessingAlgorithm):
     destinations : tuple of Destination
     numbers : tuple of (str, str)
         Names and labels of the numeric outputs.
+    needs : tuple of str
+        The modules without which it does not run.
+    project : QgsProject or None
+        Of the run.
     """
 
     key = title = chapter = summary = about = ""
@@ -74,6 +83,12 @@ class Algorithm(QgsProcessingAlgorithm):
     inputs: tuple[Parameter, ...] = ()
     destinations: tuple[Destination, ...] = ()
     numbers: tuple[tuple[str, str], ...] = ()
+    needs: tuple[str, ...] = ALL
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._layers: list[str] = []
+        self.project: Any = None
 
     @abstractmethod
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
@@ -95,10 +110,10 @@ class Algorithm(QgsProcessingAlgorithm):
         return self.chapter.replace(" ", "").lower()
 
     def icon(self) -> QIcon:
-        return QIcon(ICON)
+        return QIcon(self.svgIconPath())
 
     def svgIconPath(self) -> str:
-        return ICON
+        return str(ICONS / f"{self.key}.svg")
 
     def tags(self) -> list[str]:
         return list(self.words)
@@ -107,11 +122,10 @@ class Algorithm(QgsProcessingAlgorithm):
         return self.summary
 
     def shortHelpString(self) -> str:
-        declared = (*self.inputs, *self.destinations)
-        return "\n".join([self.about, *(f"{item.description}: {item.explanation}" for item in declared)])
+        return help_of(self.about, self.inputs, self.destinations)
 
     def helpUrl(self) -> str:
-        return f"{MANUAL}/{self.key}.md"
+        return page_url(self.key)
 
     def createInstance(self) -> "Algorithm":
         return type(self)()
@@ -126,7 +140,7 @@ class Algorithm(QgsProcessingAlgorithm):
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def canExecute(self) -> tuple[bool, str]:
-        missing = missing_modules()
+        missing = lacking(self.needs)
         return not missing, explain_missing(missing) if missing else ""
 
     def checkParameterValues(
@@ -135,21 +149,23 @@ class Algorithm(QgsProcessingAlgorithm):
         try:
             self._values(parameters, context)
         except IchnographError as error:
-            return False, str(error)
+            return False, with_labels(str(error), self._labels())
         except ImportError as error:
             # Reading a layer needs the packages.
-            missing = missing_modules()
+            missing = lacking(self.needs)
             return False, explain_missing(missing) if missing else explain_broken(error)
         return True, ""
 
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        with _plain_errors():
+        with self._plain_errors():
             # Only the desktop calls canExecute.
-            if missing_modules():
-                raise QgsProcessingException(explain_missing(missing_modules()))
-            log = Log(feedback)
+            missing = lacking(self.needs)
+            if missing:
+                raise QgsProcessingException(explain_missing(missing))
+            log = Log(feedback, self._labels())
+            self.project = context.project() or QgsProject.instance()
             log.warn(self._unknown(parameters))
             values = self._values(parameters, context)
             chosen = {output: output.value(self, parameters, context) for output in self.destinations}
@@ -160,13 +176,48 @@ class Algorithm(QgsProcessingAlgorithm):
                 recover(path.parent)
                 recover(path)
             wanted = {output.name: files.get(output) for output in self.destinations}
-            outcome = self.compute({**values, **wanted}, log)
-            styles = _write(files, outcome, sources)
-        show_when_loaded(styles, context)
+            with warnings.catch_warnings():
+                # Of packages to their developers; QGIS would show them to the user.
+                warnings.simplefilter("ignore", DeprecationWarning)
+                outcome = self.compute({**values, **wanted}, log)
+            styles = _write(files, outcome, sources, self._labels())
+        focus = [str(path) for output, path in files.items() if output.focus]
+        show_when_loaded(styles, focus, context)
+        self._layers = [str(path) for path in styles]
         results = dict(outcome.numbers)
         for output, path in files.items():
             results.update(output.results(path, outcome.writers[output.name]))
         return results
+
+    def postProcessAlgorithm(
+        self, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        reopen_layers(self._layers, context)
+        return {}
+
+    def validateInputCrs(self, parameters: dict[str, Any], context: QgsProcessingContext) -> bool:
+        # QGIS would try to open files that are not layers; the algorithms compare the systems themselves.
+        return True
+
+    @contextmanager
+    def _plain_errors(self) -> Iterator[None]:
+        """Raise exceptions of the core as the one of QGIS, whose text the user sees."""
+        try:
+            yield
+        except MissingPackageError as error:
+            sentence = explain_missing(lacking(error.modules))
+            text = f"{error.what} cannot be {error.done}: {sentence}"
+            raise QgsProcessingException(with_labels(text, self._labels())) from error
+        except IchnographError as error:
+            raise QgsProcessingException(with_labels(str(error), self._labels())) from error
+        except MemoryError as error:
+            sentence = "There is not enough memory; cut or thin the input, or close other programs."
+            raise QgsProcessingException(sentence) from error
+        except ImportError as error:
+            raise QgsProcessingException(explain_broken(error)) from error
+
+    def _labels(self) -> dict[str, str]:
+        return {item.name: item.label for item in (*self.inputs, *self.destinations)}
 
     def _values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
         return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}
@@ -180,7 +231,9 @@ class Algorithm(QgsProcessingAlgorithm):
         return [path for item in self.inputs for path in item.sources(values[item.name])]
 
 
-def _write(files: dict[Destination, Path], outcome: Outcome, sources: list[str]) -> dict[Path, str]:
+def _write(
+    files: dict[Destination, Path], outcome: Outcome, sources: list[str], labels: Mapping[str, str]
+) -> dict[Path, str]:
     """Write all files with their styles, or none of them; return the styles by path."""
     styles = {}
     # Layers whose names differ only in the extension would share one style file.
@@ -205,6 +258,7 @@ def _write(files: dict[Destination, Path], outcome: Outcome, sources: list[str])
                 except IchnographError as error:
                     # Name the file that the user chose, not the temporary one.
                     raise type(error)(str(error).replace(str(temporary), str(path))) from error
+                output.revise(temporary, labels)
                 if output.style:
                     styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
                     if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
@@ -215,20 +269,3 @@ def _write(files: dict[Destination, Path], outcome: Outcome, sources: list[str])
 def _is_ours(style: Path) -> bool:
     """Whether a style may be written there; the user's own is kept."""
     return not style.exists() or MARK in style.read_text(encoding="utf-8", errors="replace")
-
-
-@contextmanager
-def _plain_errors() -> Iterator[None]:
-    """Raise exceptions of the core as the one of QGIS, whose text the user sees."""
-    try:
-        yield
-    except MissingPackageError as error:
-        sentence = explain_missing(lacking(error.modules))
-        raise QgsProcessingException(f"{error.what} cannot be {error.done}: {sentence}") from error
-    except IchnographError as error:
-        raise QgsProcessingException(str(error)) from error
-    except MemoryError as error:
-        sentence = "There is not enough memory; cut the input to the site, thin it, or close other programs."
-        raise QgsProcessingException(sentence) from error
-    except ImportError as error:
-        raise QgsProcessingException(explain_broken(error)) from error

@@ -21,17 +21,26 @@ PYPI_NAMES = {
 }
 """The modules that are imported, and the packages that contain them."""
 
+FOR_TABLES = ("numpy", "pandas", "rasterio", "pyproj")
+"""The modules that tables of lengths need."""
+
+FOR_LAYERS = ("numpy", "scipy", "shapely", "fiona", "rasterio", "pyproj")
+"""The modules that layers of points and outlines need."""
+
+FOR_CLOUDS = ("numpy", "scipy", "pandas", "numba", "rasterio", "pyproj", "laspy", "lazrs")
+"""The modules that clouds need."""
+
+FOR_WALLS = (*FOR_LAYERS, "numba", "skimage")
+"""The modules that walls need."""
+
+ALL = tuple(PYPI_NAMES)
+
 NOT_IN_DEBIAN = ("laspy", "lazrs", "pye57", "pyquaternion")
 """Packages that must come from PyPI on Debian and Ubuntu too."""
 
 
 WITH_QGIS = ("rasterio", "fiona", "pyproj", "shapely")
 """Packages whose wheels bring another GDAL, PROJ or GEOS than that of QGIS."""
-
-
-def missing_modules() -> list[str]:
-    """Return the modules that the interpreter of QGIS cannot find."""
-    return lacking(PYPI_NAMES)
 
 
 def lacking(modules: Iterable[str]) -> list[str]:

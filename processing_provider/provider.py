@@ -2,21 +2,34 @@
 
 # ruff: noqa: D102, N802 - QGIS defines and names the methods.
 
+from configparser import ConfigParser
+from pathlib import Path
+
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
-from .algorithm import ICON
+from .algorithm import ICONS
 from .algorithms.compare_lengths import CompareLengthsAlgorithm
 from .algorithms.compare_plan import ComparePlanAlgorithm
 from .algorithms.density_image import DensityImageAlgorithm
 from .algorithms.extract_walls import ExtractWallsAlgorithm
 from .algorithms.facade_details import FacadeDetailsAlgorithm
 from .algorithms.facade_planes import FacadePlanesAlgorithm
+from .algorithms.plan_layout import PlanLayoutAlgorithm
 from .algorithms.register_scans import RegisterScansAlgorithm
 from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
 from .algorithms.site_plan import SitePlanAlgorithm
 from .algorithms.thin_cloud import ThinCloudAlgorithm
 from .algorithms.transform_cloud import TransformCloudAlgorithm
+
+METADATA = Path(__file__).parents[1] / "metadata.txt"
+
+
+def version() -> str:
+    """Return the version of the plugin."""
+    parser = ConfigParser()
+    parser.read(METADATA, encoding="utf-8")
+    return parser["general"]["version"]
 
 
 class Provider(QgsProcessingProvider):
@@ -32,10 +45,13 @@ class Provider(QgsProcessingProvider):
         return "Ichnograph: laser scans to site plans and elevations"
 
     def icon(self) -> QIcon:
-        return QIcon(ICON)
+        return QIcon(self.svgIconPath())
 
     def svgIconPath(self) -> str:
-        return ICON
+        return str(ICONS / "ichnograph.svg")
+
+    def versionInfo(self) -> str:
+        return version()
 
     def supportsNonFileBasedOutput(self) -> bool:
         return False
@@ -52,6 +68,7 @@ class Provider(QgsProcessingProvider):
             DensityImageAlgorithm,
             ExtractWallsAlgorithm,
             ComparePlanAlgorithm,
+            PlanLayoutAlgorithm,
             ThinCloudAlgorithm,
             TransformCloudAlgorithm,
             RegisterScansAlgorithm,

@@ -11,13 +11,20 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
     QgsRasterLayer,
+    QgsVectorLayer,
 )
 from qgis.PyQt.QtXml import QDomDocument
+from qgis.utils import iface
+
+from .fields import aliases_of
 
 STYLES = Path(__file__).parent / "styles"
 
 MARK = "<!-- made by Ichnograph -->"
 """Marks the styles that are written here; it is gone once a user saves the style in QGIS."""
+
+MARGIN = 1.1
+"""The canvas opens on this many times the extent of the layer that it opens on."""
 
 STRETCH = 2.0
 """The grey values span this many standard deviations of the band on either side of its mean."""
@@ -29,7 +36,17 @@ def style_of(name: str, file: Path, values: dict[str, Any]) -> str:
     Variables of the style, like $name, get their values from `values` or, for a raster, from the file.
     """
     style = (STYLES / f"{name}.qml").read_text(encoding="utf-8")
-    return Template(style).substitute(values if "$minimum" not in style else _stretch(file))
+    text = Template(style).substitute(values if "$minimum" not in style else _stretch(file))
+    return text.replace("</qgis>", f"{aliases_of(_fields(file))}</qgis>")
+
+
+def _fields(file: Path) -> list[str]:
+    """Return the names of the fields of a vector layer; a raster has none."""
+    if file.suffix in (".tif", ".tiff"):
+        return []
+    options = QgsVectorLayer.LayerOptions()
+    options.loadDefaultStyle = False
+    return list(QgsVectorLayer(str(file), "", "ogr", options).fields().names())
 
 
 def _stretch(file: Path) -> dict[str, float]:
@@ -44,22 +61,26 @@ def _stretch(file: Path) -> dict[str, float]:
     }
 
 
-def show_when_loaded(styles: dict[Path, str], context: QgsProcessingContext) -> None:
+def show_when_loaded(styles: dict[Path, str], focus: list[str], context: QgsProcessingContext) -> None:
     """Let QGIS style the layers that it loads after the run, and put the last one on top.
 
     Parameters
     ----------
     styles : dict of Path to str
         Styles as QML.
+    focus : list of str
+        The files that the canvas of an empty project opens on.
     context : QgsProcessingContext
         Lists the layers that will be loaded.
     """
     loaded: dict[str, Optional[str]] = {}
-    for path, style in styles.items():
+    for level, (path, style) in enumerate(styles.items()):
         if context.willLoadLayerOnCompletion(str(path)):
             details = context.layerToLoadOnCompletionDetails(str(path))
+            # From QGIS 3.32 on, layers are sorted by this key after they were styled.
+            details.layerSortKey = level
             loaded[str(path)] = None
-            details.setPostProcessor(Presenter(str(path), style, loaded))
+            details.setPostProcessor(Presenter(str(path), style, loaded, str(path) in focus))
 
 
 class Presenter(QgsProcessingLayerPostProcessorInterface):
@@ -71,14 +92,16 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
         The file, and its style as QML.
     loaded : dict of str to str
         The files of the run, bottom to top, and the ids of their layers; shared by all presenters of the run.
+    focus : bool
+        Whether the canvas opens on it.
     """
 
     # QGIS keeps a reference that Python does not see; without this one, presenters would be deleted.
     waiting: ClassVar[list["Presenter"]] = []
 
-    def __init__(self, path: str, style: str, loaded: dict[str, Optional[str]]) -> None:
+    def __init__(self, path: str, style: str, loaded: dict[str, Optional[str]], focus: bool) -> None:
         super().__init__()
-        self.path, self.style, self.loaded = path, style, loaded
+        self.path, self.style, self.loaded, self.focus = path, style, loaded, focus
         self.waiting.append(self)
 
     def postProcessLayer(  # noqa: N802 - QGIS's name
@@ -90,7 +113,19 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
         layer.importNamedStyle(document)
         layer.triggerRepaint()
         self.loaded[self.path] = layer.id()
-        _stack(context.project().layerTreeRoot(), [layer_id for layer_id in self.loaded.values() if layer_id])
+        ours = [layer_id for layer_id in self.loaded.values() if layer_id]
+        _stack(context.project().layerTreeRoot(), ours)
+        if self.focus and iface and len(context.project().mapLayers()) <= len(self.loaded):
+            _open_on(layer)
+
+
+def _open_on(layer: QgsMapLayer) -> None:
+    """Zoom the canvas to a layer."""
+    canvas = iface.mapCanvas()
+    extent = canvas.mapSettings().layerExtentToOutputExtent(layer, layer.extent())
+    extent.scale(MARGIN)
+    canvas.setExtent(extent)
+    canvas.refresh()
 
 
 def _stack(tree: QgsLayerTree, layer_ids: list[str]) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_TABLES
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, TableDestination
 from ..parameters.files import TableFile
@@ -23,6 +24,7 @@ class CompareLengthsAlgorithm(Algorithm):
         "Tahiri, Simonetto, Sebari and Boulaassal (2014)."
     )
     words = ("facade", "accuracy", "lengths", "tape", "validation", "schedule", "comparison")
+    needs = FOR_TABLES
     inputs = (
         TableFile("SCHEDULE", "Schedule", "The csv file that facadedetails writes."),
         TableFile(
@@ -35,7 +37,9 @@ class CompareLengthsAlgorithm(Algorithm):
     )
     destinations = (
         TableDestination("TABLE", "Table", "CSV file with a row for each length that both files have."),
-        HtmlDestination("REPORT", "Report", "HTML page with the table and a plot.", optional=True),
+        HtmlDestination(
+            "REPORT", "Report of the lengths", "HTML page with the table and a plot.", optional=True
+        ),
     )
     numbers = (
         ("MEAN_DIFFERENCE", "Mean of automatic minus manual length (m)"),

@@ -5,6 +5,7 @@ from functools import partial
 from typing import Any, Optional
 
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_LAYERS
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, LineDestination
 from ..parameters.outlines import OutlineLayer
@@ -34,6 +35,7 @@ class ComparePlanAlgorithm(Algorithm):
         "walls",
         "reference",
     )
+    needs = FOR_LAYERS
     inputs = (
         OutlineLayer(
             "WALLS", "Walls of the plan", "Polygons, as siteplan writes them. Polygons that touch are joined."
@@ -62,7 +64,9 @@ class ComparePlanAlgorithm(Algorithm):
             "length. GeoPackage or shapefile, by extension.",
             style="plan_errors",
         ),
-        HtmlDestination("REPORT", "Report", "HTML page with a map, curves and tables.", optional=True),
+        HtmlDestination(
+            "REPORT", "Report of the comparison", "HTML page with a map, curves and tables.", optional=True
+        ),
     )
     numbers = (
         ("COMPLETENESS", "Share of the reference that is in the plan (0 to 1)"),

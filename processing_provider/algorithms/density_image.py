@@ -4,6 +4,7 @@ from functools import partial
 from typing import Any
 
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_CLOUDS
 from ..log import Log
 from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
 from ..parameters.density import (
@@ -30,6 +31,7 @@ class DensityImageAlgorithm(Algorithm):
         "furniture from walls (Mueller, Kohoutek and Theiler 2012)."
     )
     words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
+    needs = FOR_CLOUDS
     inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
     destinations = (density_destination(optional=False),)
     numbers = POINT_NUMBERS

@@ -3,6 +3,7 @@
 from typing import Any
 
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_WALLS
 from ..log import Log
 from ..parameters.files import RasterFile
 from ..parameters.walls import (
@@ -30,6 +31,7 @@ class ExtractWallsAlgorithm(Algorithm):
         "(Mueller, Kohoutek and Theiler 2012)."
     )
     words = ("walls", "site plan", "floor plan", "polygons", "density", "laser scan", "tls", "archaeology")
+    needs = FOR_WALLS
     inputs = (
         RasterFile("INPUT", "Density image", "The output of 'Density image from laser scans'."),
         *WALL_PARAMETERS,

@@ -57,6 +57,7 @@ class FacadeDetailsAlgorithm(Algorithm):
             "The polygons of the elevation in x, y, z of the site, with the same ids and areas.",
             style="facade_details",
             optional=True,
+            by_default=False,
         ),
         PolygonDestination(
             "ELEVATION",
@@ -64,6 +65,7 @@ class FacadeDetailsAlgorithm(Algorithm):
             "Polygons in u (right) and v (up), in metres: the wall, its details, and areas that were not "
             "seen.",
             style="elevation",
+            focus=True,
         ),
         TableDestination(
             "SCHEDULE",
@@ -80,7 +82,7 @@ class FacadeDetailsAlgorithm(Algorithm):
     )
     numbers = (
         ("DETAIL_COUNT", "Number of details"),
-        ("WALL_AREA", "Area of the wall without openings and recesses (m2)"),
+        ("WALL_AREA", "Area of the wall without openings and recesses (m²)"),
     )
 
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:

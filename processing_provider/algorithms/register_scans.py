@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_LAYERS
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, JsonDestination, PointDestination
 from ..parameters.registration import (
@@ -50,6 +51,7 @@ class RegisterScansAlgorithm(Algorithm):
         "point cloud",
         "tls",
     )
+    needs = FOR_LAYERS
     inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS)
     destinations = (
         JsonDestination(
@@ -75,7 +77,7 @@ class RegisterScansAlgorithm(Algorithm):
         ),
         HtmlDestination(
             "REPORT",
-            "Report",
+            "Report of the registration",
             "HTML page with plan, residuals and statistics of every scan; see the results viewer.",
             optional=True,
         ),

@@ -4,6 +4,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_LAYERS
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, TableDestination
 from ..parameters.parameter import Number
@@ -88,6 +89,7 @@ class SimulateRegistrationAlgorithm(Algorithm):
         "laser scan",
         "tls",
     )
+    needs = FOR_LAYERS
     inputs = (CONTROL, TARGETS_PER_SCAN, SIGMA, SCALE_PPM, TRIALS, SEED, MODEL, REACH)
     destinations = (
         TableDestination(
@@ -98,7 +100,7 @@ class SimulateRegistrationAlgorithm(Algorithm):
         ),
         HtmlDestination(
             "REPORT",
-            "Report",
+            "Report of the simulation",
             "HTML page with failures, ambiguous points and errors; see the results viewer.",
             optional=True,
         ),

@@ -19,6 +19,7 @@ from ..parameters.parameter import Flag
 from ..parameters.rooms import (
     AXES,
     DOOR_WIDTH,
+    DRAWING,
     LEFT_OUT,
     LIMITS,
     REPORT,
@@ -103,6 +104,7 @@ class SitePlanAlgorithm(Algorithm):
         LIMITS,
         LEFT_OUT,
         REPORT,
+        DRAWING,
     )
     numbers = POINT_NUMBERS + WALL_NUMBERS + ROOM_NUMBERS
 
@@ -141,8 +143,8 @@ def settings_of(values: dict[str, Any]) -> "SitePlanSettings":
         wall_parameters=wall_parameters(values),
         refine=values["REFINE"],
         storey=values["STOREY"],
-        with_axes=values["AXES"] is not None,
-        with_rooms=values["ROOMS"] is not None,
+        with_axes=any(values[name] is not None for name in ("AXES", "DRAWING")),
+        with_rooms=any(values[name] is not None for name in ("ROOMS", "DRAWING")),
         rooms=RoomSettings(door_width_m=values["DOOR_WIDTH"]),
         storeys=StoreySettings(cut=CutSettings(section_m=values["SECTION"])),
     )

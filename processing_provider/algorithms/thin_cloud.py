@@ -4,6 +4,7 @@ from typing import Any
 
 from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_CLOUDS
 from ..log import Log
 from ..parameters.clouds import CLOUDS, SPACING, open_site
 from ..parameters.destinations import CloudDestination
@@ -22,6 +23,7 @@ class ThinCloudAlgorithm(Algorithm):
         "keep every attribute if the output is LAS or LAZ."
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
+    needs = FOR_CLOUDS
     inputs = (CLOUDS, SPACING)
     destinations = (CloudDestination("OUTPUT", "Thinned cloud", f"{writable_formats()}, by extension."),)
     numbers = (

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...algorithms.progress import Progress
 from ..algorithm import Algorithm, Outcome
+from ..dependencies import FOR_CLOUDS
 from ..log import Log
 from ..parameters.clouds import CLOUDS
 from ..parameters.destinations import FolderDestination
@@ -29,6 +30,7 @@ class TransformCloudAlgorithm(Algorithm):
         "it gets the coordinate reference system of the control points."
     )
     words = ("transform", "register", "georeference", "rotate", "point cloud", "tls", "lidar", "las", "laz")
+    needs = FOR_CLOUDS
     inputs = (
         CLOUDS,
         JsonFile(

@@ -24,7 +24,6 @@ HEIGHT_PARAMETERS = (
         unit="m",
         minimum=-20_000,
         maximum=20_000,
-        advanced=True,
     ),
     Number(
         "ZMAX",
@@ -33,14 +32,13 @@ HEIGHT_PARAMETERS = (
         unit="m",
         minimum=-20_000,
         maximum=20_000,
-        advanced=True,
     ),
     Choice(
         "HEIGHTS",
         "Heights are counted from",
         "What ZMIN and ZMAX are counted from. Choose the local ground on a slope.",
         options=("zero of the coordinates", "local ground"),
-        advanced=True,
+        optional=True,
     ),
 )
 

@@ -1,5 +1,6 @@
 """Kinds of output files: their QGIS definitions, the extensions that can be written, and what is refused."""
 
+import html
 import tempfile
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
@@ -12,16 +13,21 @@ from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingOutputDefinition,
+    QgsProcessingOutputHtml,
     QgsProcessingOutputMultipleLayers,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterVectorDestination,
+    QgsProcessingUtils,
 )
 
 from ...algorithms.clouds.formats import FORMATS
 from ...algorithms.errors import InputError, MissingPackageError
 from ..dependencies import lacking
+from ..desktop import on_desktop
+from ..labels import with_labels
+from ..pages import page_of_table, page_of_text
 from .parameter import Parameter
 
 DRAWING_MODULES = ("ezdxf",)
@@ -46,11 +52,14 @@ class Destination(Parameter):
         Whether the user may leave it empty.
     by_default : bool
         Whether an optional file is made unless the user switches it off.
+    focus : bool
+        Whether the canvas of an empty project opens on it.
     """
 
     style: Optional[str] = None
     optional: bool = False
     by_default: bool = True
+    focus: bool = False
 
     @property
     @abstractmethod
@@ -60,6 +69,16 @@ class Destination(Parameter):
     def files(self, path: Path, writer: Any) -> dict[Path, Writer]:
         """Return the writers of the files of this output, by path."""
         return {path: writer}
+
+    def revise(self, path: Path, labels: Mapping[str, str]) -> None:
+        """Change a file that was written for the person who reads it; data are not changed.
+
+        Parameters
+        ----------
+        path : Path
+        labels : dict of str to str
+            The labels of the parameters by their ids.
+        """
 
     def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
         """Return the definitions of outputs besides the file itself."""
@@ -182,19 +201,49 @@ class CloudDestination(FileDestination):
 
 
 @dataclass(frozen=True)
-class JsonDestination(FileDestination):
+class ListedDestination(FileDestination):
+    """A file that the results viewer of the desktop shows as a page; a subclass makes the page."""
+
+    @abstractmethod
+    def page(self, path: Path) -> str:
+        """Return the file as HTML."""
+
+    def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
+        """Return the definition of the page."""
+        return [QgsProcessingOutputHtml(f"{self.name}_PAGE", self.label)]
+
+    def results(self, path: Path, writer: Any) -> dict[str, Any]:
+        """Return the file, and on the desktop its page."""
+        results = super().results(path, writer)
+        if on_desktop():
+            page = Path(QgsProcessingUtils.generateTempFilename(f"{path.stem}.html"))
+            page.write_text(self.page(path), encoding="utf-8")
+            results[f"{self.name}_PAGE"] = str(page)
+        return results
+
+
+@dataclass(frozen=True)
+class JsonDestination(ListedDestination):
     """A JSON file."""
 
     extensions = (".json",)
     filters = "JSON files (*.json)"
 
+    def page(self, path: Path) -> str:
+        """Return the text of the file."""
+        return page_of_text(path, self.label)
+
 
 @dataclass(frozen=True)
-class TableDestination(FileDestination):
+class TableDestination(ListedDestination):
     """A table."""
 
     extensions = (".csv",)
     filters = "CSV files (*.csv)"
+
+    def page(self, path: Path) -> str:
+        """Return the rows of the file as a table."""
+        return page_of_table(path, self.label)
 
 
 @dataclass(frozen=True)
@@ -216,6 +265,22 @@ class DrawingDestination(FileDestination):
 
 
 @dataclass(frozen=True)
+class PdfDestination(FileDestination):
+    """A sheet to print."""
+
+    extensions = (".pdf",)
+    filters = "PDF files (*.pdf)"
+
+
+@dataclass(frozen=True)
+class SvgDestination(FileDestination):
+    """A sheet for drawing programs."""
+
+    extensions = (".svg",)
+    filters = "SVG files (*.svg)"
+
+
+@dataclass(frozen=True)
 class HtmlDestination(FileDestination):
     """A page, which QGIS lists in its results viewer; made by default unless QGIS lacks its packages."""
 
@@ -230,6 +295,11 @@ class HtmlDestination(FileDestination):
         if path and lacking(PAGE_MODULES):
             raise MissingPackageError(self.name, PAGE_MODULES, "written")
         return path
+
+    def revise(self, path: Path, labels: Mapping[str, str]) -> None:
+        """Name the parameters by their labels."""
+        escaped = {name: html.escape(label) for name, label in labels.items()}
+        path.write_text(with_labels(path.read_text(encoding="utf-8"), escaped), encoding="utf-8")
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         definition = super()._definition()

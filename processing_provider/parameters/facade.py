@@ -43,6 +43,7 @@ SEED_RADIUS = Number(
     default=0.2,
     minimum=0.005,
     maximum=10,
+    advanced=True,
 )
 
 SEED_COLOUR = Number(
@@ -53,6 +54,7 @@ SEED_COLOUR = Number(
     default=30,
     minimum=0,
     maximum=442,
+    advanced=True,
 )
 
 SEED_VARIANCE = Number(
@@ -62,6 +64,7 @@ SEED_VARIANCE = Number(
     "200 as in the paper, or twice the measured colour noise, if larger.",
     unit="0 to 255, squared",
     minimum=0,
+    advanced=True,
 )
 
 GROW_COLOUR = Number(
@@ -73,6 +76,7 @@ GROW_COLOUR = Number(
     default=60,
     minimum=0,
     maximum=442,
+    advanced=True,
 )
 
 INTENSITY = Number(
@@ -83,6 +87,7 @@ INTENSITY = Number(
     unit="share",
     minimum=0,
     maximum=10,
+    advanced=True,
 )
 
 TRIANGLE_FACTOR = Number(
@@ -134,7 +139,7 @@ MIN_AREA = Number(
     "MIN_AREA",
     "Area of the smallest detail",
     "Smaller details are left out. If not set: the square of SEED_RADIUS.",
-    unit="m2",
+    unit="m²",
     minimum=0.0001,
     decimals=4,
     advanced=True,

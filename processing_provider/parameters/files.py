@@ -12,24 +12,27 @@ from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterFile,
-    QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterRasterLayer,
     QgsProcessingUtils,
     QgsProperty,
 )
 from qgis.PyQt.QtCore import QFile
 
+from ...algorithms.clouds.formats import FORMATS
 from ...algorithms.errors import InputError
+from .definitions import FileListDefinition
 from .parameter import Parameter
+
+CLOUD_FILTER = f"Point clouds ({' '.join(f'*{item.extension}' for item in FORMATS)})"
 
 
 @dataclass(frozen=True)
 class CloudFiles(Parameter):
     """One or more point cloud files."""
 
-    def _definition(self) -> QgsProcessingParameterMultipleLayers:
+    def _definition(self) -> FileListDefinition:
         files = QgsProcessing.SourceType.TypeFile
-        return QgsProcessingParameterMultipleLayers(self.name, self.description, files)
+        return FileListDefinition(self.name, self.description, files, CLOUD_FILTER)
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext

@@ -21,6 +21,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
 )
 
 from ...algorithms.errors import InputError
@@ -137,7 +138,7 @@ class Choice(Parameter):
     """One of several options, by its number from 0; the first is the default."""
 
     options: tuple[str, ...]
-    advanced: bool = False
+    optional: bool = False
 
     @property
     def explanation(self) -> str:
@@ -145,16 +146,15 @@ class Choice(Parameter):
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
-        # Optional, because models stored before an advanced choice was added have no value for it.
-        definition = QgsProcessingParameterEnum(
+        # A choice that was added later is optional, because older models have no value for it.
+        return QgsProcessingParameterEnum(
             self.name,
             self.description,
             list(self.options),
             allowMultiple=False,
             defaultValue=0,
-            optional=self.advanced,
+            optional=self.optional,
         )
-        return _marked(definition) if self.advanced else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -200,6 +200,19 @@ class Flag(Parameter):
         if text not in words:
             raise InputError(f"{self.name} must be true or false, not {text}.")
         return words[text]
+
+
+@dataclass(frozen=True)
+class Text(Parameter):
+    """A line of text; empty if the user leaves it so."""
+
+    def _definition(self) -> QgsProcessingParameterString:
+        return QgsProcessingParameterString(self.name, self.description, optional=True)
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> str:
+        return str(algorithm.parameterAsString(parameters, self.name, context)).strip()
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,6 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
-    QgsProcessingParameterMultipleLayers,
-    QgsProcessingParameterVectorLayer,
     QgsProcessingUtils,
     QgsProperty,
     QgsProviderRegistry,
@@ -25,6 +23,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QFile
 
 from ...algorithms.errors import InputError
+from .definitions import FileListDefinition, PointListDefinition
 from .files import split_paths
 from .parameter import Parameter
 
@@ -39,6 +38,8 @@ Coordinates = tuple[float, ...]
 
 POINTS = QgsProcessing.SourceType.TypeVectorPoint
 
+LIST_FILTER = "Lists of points (*.txt *.csv *.xyz *.asc *.pts *.gpkg *.shp *.geojson)"
+
 
 @dataclass(frozen=True)
 class PointListFile(Parameter):
@@ -48,8 +49,8 @@ class PointListFile(Parameter):
     file chooser, which accepts text files too.
     """
 
-    def _definition(self) -> QgsProcessingParameterVectorLayer:
-        return QgsProcessingParameterVectorLayer(self.name, self.description, [POINTS])
+    def _definition(self) -> PointListDefinition:
+        return PointListDefinition(self.name, self.description, LIST_FILTER)
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -69,8 +70,8 @@ class PointListFile(Parameter):
 class PointListFiles(Parameter):
     """One or more lists of points, each with a name of its own."""
 
-    def _definition(self) -> QgsProcessingParameterMultipleLayers:
-        return QgsProcessingParameterMultipleLayers(self.name, self.description, POINTS)
+    def _definition(self) -> FileListDefinition:
+        return FileListDefinition(self.name, self.description, POINTS, LIST_FILTER)
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..log import Log
-from .destinations import HtmlDestination, LineDestination, PolygonDestination, Writer
+from .destinations import DrawingDestination, HtmlDestination, LineDestination, PolygonDestination, Writer
 from .parameter import Flag, Number
 
 if TYPE_CHECKING:
@@ -62,7 +62,6 @@ ROOMS = PolygonDestination(
     "shapefile, by extension.",
     style="rooms",
     optional=True,
-    by_default=False,
 )
 
 LIMITS = LineDestination(
@@ -87,10 +86,17 @@ LEFT_OUT = LineDestination(
 
 REPORT = HtmlDestination(
     "REPORT",
-    "Report",
+    "Report of the site plan",
     "HTML page that shows what each parameter did, and which to change; see the results viewer.",
     optional=True,
-    by_default=False,
+)
+
+DRAWING = DrawingDestination(
+    "DRAWING",
+    "Drawing",
+    "DXF file in metres: walls, faces, axes, and rooms with names and areas, on layers; needs the package "
+    "ezdxf.",
+    optional=True,
 )
 
 ROOM_NUMBERS = (
@@ -123,8 +129,9 @@ def _storey(found: "StoreyPlan", heights: "Storey") -> str:
 
 
 def room_writers(plan: "SitePlan") -> dict[str, Writer]:
-    """Return what writes AXES, ROOMS, LIMITS, LEFT_OUT and REPORT."""
+    """Return what writes AXES, ROOMS, LIMITS, LEFT_OUT, REPORT and DRAWING."""
     from ...algorithms.site_plan.output.layers import write_axes, write_left_out, write_limits, write_rooms
+    from ...algorithms.site_plan.output.plan_drawing import write_plan_drawing
 
     writers = {
         "AXES": write_axes,
@@ -132,6 +139,7 @@ def room_writers(plan: "SitePlan") -> dict[str, Writer]:
         "LIMITS": write_limits,
         "LEFT_OUT": write_left_out,
         "REPORT": _write_report,
+        "DRAWING": write_plan_drawing,
     }
     return {name: partial(write, plan=plan) for name, write in writers.items()}
 

@@ -26,16 +26,18 @@ WALL_PARAMETERS = (
         "Regions with less area are dropped. If not set, it is the area of a metre of wall one pixel thick.",
         unit="m²",
         minimum=0,
+        advanced=True,
     ),
     Number(
         "MAX_FILL",
-        "Largest fill of a curved wall",
-        "A region is a curved or angled wall if its area divided by the area of its bounding box is not "
-        "above this.",
+        "Largest fill of connected or curved walls",
+        "A region consists of connected or curved walls if its area divided by the area of its bounding "
+        "box is not above this.",
         unit="ratio",
         default=0.4,
         minimum=0,
         maximum=1,
+        advanced=True,
     ),
     Number(
         "MIN_ELONGATION",
@@ -45,6 +47,7 @@ WALL_PARAMETERS = (
         unit="ratio",
         default=3,
         minimum=1,
+        advanced=True,
     ),
     Number(
         "CLOSING",
@@ -98,13 +101,16 @@ WALLS = PolygonDestination(
     "Walls",
     "Polygons with kind, length, thickness, base and top height. GeoPackage or shapefile, by extension.",
     style="walls",
+    focus=True,
 )
 
 
 def plan_destination(optional: bool) -> RasterDestination:
     """Return the destination PLAN."""
     help_text = "Wall pixels as a GeoTIFF: 1 wall, 0 none."
-    return RasterDestination("PLAN", "Plan raster", help_text, style="plan", optional=optional)
+    return RasterDestination(
+        "PLAN", "Plan raster", help_text, style="plan", optional=optional, by_default=not optional
+    )
 
 
 def wall_parameters(values: dict[str, Any]) -> "WallParameters":

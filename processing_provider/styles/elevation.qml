@@ -1,6 +1,6 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <!-- made by Ichnograph -->
-<qgis styleCategories="Symbology" version="3.22">
+<qgis styleCategories="Symbology|Labeling" version="3.22" labelsEnabled="1">
   <renderer-v2 type="categorizedSymbol" attr="kind" enableorderby="0" symbollevels="0">
     <categories>
       <category value="wall" symbol="0" render="true" label="Wall"/>
@@ -105,6 +105,15 @@
       </symbol>
     </symbols>
   </renderer-v2>
+  <labeling type="simple">
+    <settings calloutType="simple">
+      <text-style fieldName="CASE WHEN &quot;kind&quot; NOT IN ('wall', 'unseen') THEN &quot;id&quot; END" isExpression="1" fontSize="8" fontSizeUnit="Point" fontWeight="50" textColor="40,40,40,255" textOpacity="1" multilineHeight="0.9">
+        <text-buffer bufferDraw="1" bufferSize="0.6" bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferOpacity="0.8" bufferNoFill="1"/>
+      </text-style>
+      <placement placement="1" quadOffset="4" polygonPlacementFlags="2" dist="0" distUnits="MM"/>
+      <rendering drawLabels="1" obstacle="1" obstacleType="1"/>
+    </settings>
+  </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
   <layerGeometryType>2</layerGeometryType>

@@ -4,11 +4,11 @@
   <renderer-v2 type="categorizedSymbol" attr="kind" enableorderby="0" symbollevels="0">
     <categories>
       <category value="straight" symbol="0" render="true" label="Straight wall"/>
-      <category value="curved" symbol="1" render="true" label="Curved or angled wall"/>
+      <category value="curved" symbol="1" render="true" label="Connected or curved walls"/>
       <category value="column" symbol="2" render="true" label="Column"/>
       <category value="wall" symbol="4" render="true" label="Wall of a room"/>
       <category value="parapet" symbol="5" render="true" label="Parapet, window above"/>
-      <category value="" symbol="3" render="true" label="Other"/>
+      <category value="" symbol="3" render="true" label="Other wall"/>
     </categories>
     <symbols>
       <symbol type="fill" name="0" alpha="1" clip_to_extent="1" force_rhr="0">

@@ -24,6 +24,15 @@ def test_features_fields_nulls_and_crs_come_back(tmp_path, name):
     assert all(shape(f["geometry"]).equals(outline) for f, (outline, _) in zip(features, WALLS))
 
 
+@pytest.mark.parametrize("name", ["walls.shp", "walls.gpkg"])
+def test_lengths_are_rounded_to_the_decimals_of_their_field(tmp_path, name):
+    write_vector(
+        tmp_path / name, "Polygon", FIELDS, [(box(0, 0, 1, 2), {**WALLS[0][1], "height": 2.49951})], None
+    )
+    with fiona.open(tmp_path / name) as layer:
+        assert [feature["properties"]["height"] for feature in layer] == [2.5]
+
+
 def test_a_shapefile_has_its_projection_and_its_encoding(tmp_path):
     write_vector(tmp_path / "walls.shp", "Polygon", FIELDS, WALLS, CRS.from_epsg(25833))
     assert {p.suffix for p in tmp_path.iterdir()} >= {".shp", ".shx", ".dbf", ".prj", ".cpg"}

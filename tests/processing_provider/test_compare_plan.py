@@ -123,7 +123,7 @@ def test_a_plan_with_nothing_of_the_reference_has_no_offset_and_the_log_says_so(
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"WALLS": "nowhere.shp"}, "WALLS .*nowhere.shp cannot be read; choose a layer of polygons"),
+        ({"WALLS": "nowhere.shp"}, "WALLS. .*nowhere.shp cannot be read; choose a layer of polygons"),
         ({"TOLERANCE": 0}, "TOLERANCE"),
         ({"REFERENCE": "other zone"}, "is in EPSG:25833, but .* in EPSG:25832; reproject"),
         ({"ERRORS": "reference"}, "is an input as well"),

@@ -1,6 +1,9 @@
 """Packages that are missing: everything is listed, and running says what to install."""
 
+import ast
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from ichnograph.processing_provider import dependencies
@@ -14,7 +17,7 @@ def without(monkeypatch):
         for module in modules:
             monkeypatch.setitem(sys.modules, module, None)
         monkeypatch.setattr(dependencies, "_is_managed_by_distribution", lambda: managed)
-        return dependencies.explain_missing(dependencies.missing_modules())
+        return dependencies.explain_missing(dependencies.lacking(dependencies.ALL))
 
     return without
 
@@ -50,6 +53,56 @@ def test_a_desktop_is_warned_before_it_runs(provider, without):
     assert algorithm.canExecute() == (True, "")
     sentence = without("numba", managed=True)
     assert algorithm.canExecute() == (False, sentence)
+
+
+def test_a_missing_package_disables_only_what_needs_it(provider, without):
+    without("laspy", "numba", managed=True)
+
+    disabled = {item.name() for item in provider.algorithms() if not item.create().canExecute()[0]}
+    assert disabled == {
+        "siteplan",
+        "densityimage",
+        "extractwalls",
+        "thincloud",
+        "transformcloud",
+        "facadedetails",
+        "facadeplanes",
+    }
+
+
+IMPORTED = """
+import importlib, json, sys
+for name in {blocked!r}:
+    sys.modules[name] = None
+for name in {modules!r}:
+    importlib.import_module(name)
+"""
+
+
+def test_an_algorithm_imports_nothing_but_what_it_needs(provider):
+    for algorithm in provider.algorithms():
+        blocked = [name for name in dependencies.ALL if name not in algorithm.needs]
+        code = IMPORTED.format(blocked=blocked, modules=_core_of(type(algorithm)))
+        done = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True)
+        assert done.returncode == 0, f"{algorithm.name()}: {done.stderr}"
+
+
+def _core_of(algorithm):
+    """Return the modules of the core that an algorithm and its parameters import when it runs."""
+    todo, done, core = [algorithm.__module__], set(), set()
+    while todo:
+        module = todo.pop()
+        done.add(module)
+        source = Path(sys.modules[module].__file__).read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(source)):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                parent = ".".join(module.split(".")[: -node.level])
+                name = f"{parent}.{node.module}"
+                if name.startswith("ichnograph.algorithms") and "report" not in name:
+                    core.add(name)
+                elif ".parameters." in name and name not in done:
+                    todo.append(name)
+    return sorted(core)
 
 
 def test_values_that_packages_read_are_refused_without_them(provider, without, monkeypatch):
@@ -131,7 +184,8 @@ def test_without_the_packages_of_reports_only_the_report_is_refused(
     with pytest.raises(QgsProcessingException) as caught:
         run("comparelengths", **lengths, REPORT=str(tmp_path / "report.html"))
     assert str(caught.value).startswith(
-        f"REPORT cannot be written: The Python {VERSION} of QGIS lacks jinja2, matplotlib; run `"
+        f"Report of the lengths (REPORT) cannot be written: The Python {VERSION} of QGIS lacks jinja2, "
+        "matplotlib; run `"
     )
     assert "sudo apt install python3-jinja2 python3-matplotlib`" in str(caught.value)
 
@@ -146,4 +200,4 @@ def test_a_report_is_not_made_by_default_without_its_packages(provider, without,
 
     usual = by_default()
     without("matplotlib", managed=True)
-    assert (usual, by_default()) == (key != "siteplan", False)
+    assert (usual, by_default()) == (True, False)

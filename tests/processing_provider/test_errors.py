@@ -24,16 +24,35 @@ def refuse(run):
 @pytest.mark.parametrize(
     ("parameters", "sentence"),
     [
-        ({"SPACING": 0}, "SPACING must be a number, from 0.001 to 100 (m), not 0."),
-        ({"SPACING": "wide"}, "SPACING must be a number, from 0.001 to 100 (m), not wide."),
-        ({"PIXEL_SIZE": float("nan")}, "PIXEL_SIZE must be a number, from 0.001 to 100 (m), not nan."),
-        ({"MAX_FILL": 1.5}, "MAX_FILL must be a number, from 0 to 1 (ratio), not 1.5."),
-        ({"NEIGHBOURHOOD": 6}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 6."),
-        ({"NEIGHBOURHOOD": 0.5}, "NEIGHBOURHOOD must be a whole number, from 0 to 5 (pixels), not 0.5."),
-        ({"ZMIN": "low"}, "ZMIN must be a number, from -20000 to 20000 (m), not low."),
-        ({"ZMIN": 3, "ZMAX": 2}, "ZMIN 3 m is not below ZMAX 2 m; correct one of them."),
-        ({"CRS": "EPSG:999999"}, "CRS EPSG:999999 is not known; write it like EPSG:25832."),
-        ({"INPUT": " ; "}, "INPUT is empty; choose at least one point cloud file."),
+        ({"SPACING": 0}, "Point spacing (SPACING) must be a number, from 0.001 to 100 (m), not 0."),
+        ({"SPACING": "wide"}, "Point spacing (SPACING) must be a number, from 0.001 to 100 (m), not wide."),
+        (
+            {"PIXEL_SIZE": float("nan")},
+            "Pixel size (PIXEL_SIZE) must be a number, from 0.001 to 100 (m), not nan.",
+        ),
+        (
+            {"MAX_FILL": 1.5},
+            "Largest fill of connected or curved walls (MAX_FILL) must be a number, from 0 to 1 (ratio), "
+            "not 1.5.",
+        ),
+        (
+            {"NEIGHBOURHOOD": 6},
+            "Neighbourhood (NEIGHBOURHOOD) must be a whole number, from 0 to 5 (pixels), not 6.",
+        ),
+        (
+            {"NEIGHBOURHOOD": 0.5},
+            "Neighbourhood (NEIGHBOURHOOD) must be a whole number, from 0 to 5 (pixels), not 0.5.",
+        ),
+        ({"ZMIN": "low"}, "Lowest height (ZMIN) must be a number, from -20000 to 20000 (m), not low."),
+        (
+            {"ZMIN": 3, "ZMAX": 2},
+            "Lowest height (ZMIN) 3 m is not below Highest height (ZMAX) 2 m; correct one of them.",
+        ),
+        (
+            {"CRS": "EPSG:999999"},
+            "Coordinate reference system (CRS) EPSG:999999 is not known; write it like EPSG:25832.",
+        ),
+        ({"INPUT": " ; "}, "Point clouds (INPUT) is empty; choose at least one point cloud file."),
     ],
 )
 def test_a_value_that_makes_no_sense_is_refused_with_its_limits(refuse, room, tmp_path, parameters, sentence):
@@ -81,7 +100,7 @@ def test_an_output_that_cannot_be_written_is_refused(refuse, room, tmp_path, alg
     outputs[output] = str(tmp_path / name)
     sentence = refuse(algorithm, INPUT=room, **outputs)
 
-    assert sentence.startswith(f"{output} {tmp_path / name}")
+    assert f"({output}) {tmp_path / name} " in sentence
     assert sentence.endswith(remedy)
     assert not list(tmp_path.iterdir())
 

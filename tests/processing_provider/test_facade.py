@@ -163,7 +163,7 @@ def test_a_drawing_without_its_package_is_refused_before_anything_is_computed(
     from qgis.core import QgsProcessingException
 
     monkeypatch.setitem(sys.modules, "ezdxf", None)
-    with pytest.raises(QgsProcessingException, match=r"DRAWING cannot be written.*ezdxf"):
+    with pytest.raises(QgsProcessingException, match=r"DRAWING. cannot be written.*ezdxf"):
         run(
             "facadedetails", feedback, INPUT=facade, ELEVATION=str(tmp_path / "elevation.shp"),
             DRAWING=str(tmp_path / "drawing.dxf"),

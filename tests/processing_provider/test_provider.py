@@ -45,10 +45,11 @@ DEFAULTS = {
     "TOLERANCE": None,
     "DOOR_WIDTH": 1.3,
     "SECTION": 1.1,
+    "SCALE": 50,
 }
 WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
 WALL_NUMBERS = {"WALL_COUNT", "WALL_AREA", "WALL_LENGTH"}
-FURTHER_FILES = {"AXES", "ROOMS", "LIMITS", "LEFT_OUT", "REPORT"}
+FURTHER_FILES = {"DRAWING", "AXES", "ROOMS", "LIMITS", "LEFT_OUT", "REPORT"}
 FACADE_FILES = {"ORTHOIMAGE", "DETAILS", "ELEVATION", "SCHEDULE", "DRAWING"}
 REGISTRATION_FILES = {"TRANSFORMS", "RESIDUALS", "CONTROL_OUT", "REPORT"}
 
@@ -61,12 +62,12 @@ CONTRACT = {
     "registerscans": (
         {"CONTROL", "TARGETS", "MATCHING", "SIGMA", "CONTROL_SIGMA", "TOLERANCE", "MODEL", "CRS"}
         | REGISTRATION_FILES,
-        {"SCANS_REGISTERED", "SIGMA0", "MAX_RESIDUAL"} | REGISTRATION_FILES,
+        {"SCANS_REGISTERED", "SIGMA0", "MAX_RESIDUAL", "TRANSFORMS_PAGE"} | REGISTRATION_FILES,
     ),
     "simulateregistration": (
         {"CONTROL", "TARGETS_PER_SCAN", "SIGMA", "SCALE_PPM", "TRIALS", "SEED", "MODEL", "REACH"}
         | {"TABLE", "REPORT"},
-        {"TABLE", "REPORT", "SUCCESS_RATE"},
+        {"TABLE", "TABLE_PAGE", "REPORT", "SUCCESS_RATE"},
     ),
     "facadeplanes": (
         {"INPUT", "DISTANCE", "CRS", "SEGMENTS", "PLANES"} | {*PLANES},
@@ -74,15 +75,19 @@ CONTRACT = {
     ),
     "facadedetails": (
         {"INPUT", "CRS", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"} | {*FACADE} | FACADE_FILES,
-        {"DETAIL_COUNT", "WALL_AREA"} | FACADE_FILES,
+        {"DETAIL_COUNT", "WALL_AREA", "SCHEDULE_PAGE"} | FACADE_FILES,
     ),
     "comparelengths": (
         {"SCHEDULE", "REFERENCE", "TABLE", "REPORT"},
-        {"TABLE", "REPORT", "MEAN_DIFFERENCE", "STD_DIFFERENCE", "MAX_DIFFERENCE", "COUNT"},
+        {"TABLE", "TABLE_PAGE", "REPORT", "MEAN_DIFFERENCE", "STD_DIFFERENCE", "MAX_DIFFERENCE", "COUNT"},
     ),
     "compareplan": (
         {"WALLS", "REFERENCE", "TOLERANCE", "ERRORS", "REPORT"},
         {"ERRORS", "REPORT", "COMPLETENESS", "CORRECTNESS", "IOU", "MEDIAN_OFFSET", "P95_OFFSET"},
+    ),
+    "planlayout": (
+        {"WALLS", "ROOMS", "AXES", "IMAGE", "KIND", "SCALE", "SHEET", "TITLE", "PDF", "SVG"},
+        {"PDF", "SVG"},
     ),
     "densityimage": (
         {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY", "HEIGHTS", *HEIGHTS},
@@ -147,7 +152,8 @@ def test_every_algorithm_can_be_found_and_looked_up(algorithm):
     assert algorithm.group() in ("Site plan", "Clouds", "Registration", "Facade")
     assert len(algorithm.tags()) > 3
     assert algorithm.helpUrl().endswith(f"/docs/{algorithm.name()}.md")
-    assert Path(algorithm.svgIconPath()).is_file()
+    assert Path(algorithm.svgIconPath()).name == f"{algorithm.name()}.svg"
+    assert not algorithm.icon().isNull()
 
 
 def test_the_page_of_an_algorithm_names_every_parameter_and_output(algorithm):
@@ -157,10 +163,35 @@ def test_the_page_of_an_algorithm_names_every_parameter_and_output(algorithm):
     assert [name for name in names if name not in page] == []
 
 
+def test_areas_are_in_square_metres_everywhere(algorithm):
+    definitions = (*algorithm.parameterDefinitions(), *algorithm.outputDefinitions())
+    assert not any("m2" in item.description() for item in definitions)
+
+
+def test_the_version_is_that_of_the_metadata(provider):
+    metadata = (Path(__file__).parents[2] / "metadata.txt").read_text(encoding="utf-8")
+    assert f"version={provider.versionInfo()}\n" in metadata
+
+
+def test_heights_are_found_without_opening_the_advanced_parameters(provider):
+    from qgis.core import QgsProcessingParameterDefinition
+
+    advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+    shown = [
+        item.name()
+        for item in provider.algorithm("siteplan").parameterDefinitions()
+        if not item.flags() & advanced
+    ]
+    assert {"ZMIN", "ZMAX", "HEIGHTS"} <= {*shown}
+    assert not {"MAX_FILL", "MIN_ELONGATION", "MIN_AREA", "NEIGHBOURHOOD"} & {*shown}
+
+
 def test_algorithms_run_in_the_background_and_can_be_cancelled(algorithm):
     from qgis.core import QgsProcessingAlgorithm
 
-    assert not algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading
+    # Layouts belong to the main thread.
+    in_front = bool(algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading)
+    assert in_front == (algorithm.name() == "planlayout")
     assert algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagCanCancel
 
 

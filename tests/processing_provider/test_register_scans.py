@@ -188,17 +188,17 @@ def test_if_no_scan_is_registered_the_error_gives_all_reasons_and_nothing_is_wri
 @pytest.mark.parametrize(
     ("parameters", "sentence"),
     [
-        ({"MODEL": 5}, "MODEL must be 0 (Rigid, 6 parameters) or 1 "),
-        ({"MATCHING": "shape"}, "MATCHING must be 0 (By distances) or 1 (By names), not shape."),
-        ({"SIGMA": 0}, "SIGMA must be a number"),
-        ({"CONTROL_SIGMA": -1}, "CONTROL_SIGMA must be a number"),
-        ({"TOLERANCE": 0}, "TOLERANCE must be a number"),
-        ({"CRS": "EPSG:4326"}, "The coordinates of CRS are in degrees"),
-        ({"TARGETS": ""}, "TARGETS is empty"),
+        ({"MODEL": 5}, "(MODEL) must be 0 (Rigid, 6 parameters) or 1 "),
+        ({"MATCHING": "shape"}, "(MATCHING) must be 0 (By distances) or 1 (By names), not shape."),
+        ({"SIGMA": 0}, "(SIGMA) must be a number"),
+        ({"CONTROL_SIGMA": -1}, "(CONTROL_SIGMA) must be a number"),
+        ({"TOLERANCE": 0}, "(TOLERANCE) must be a number"),
+        ({"CRS": "EPSG:4326"}, "The coordinates of Coordinate reference system (CRS) are in degrees"),
+        ({"TARGETS": ""}, "(TARGETS) is empty"),
     ],
 )
 def test_a_value_that_makes_no_sense_is_refused(refuse, lists, outputs, parameters, sentence):
-    assert refuse(**{**lists, **outputs, **parameters}).startswith(sentence)
+    assert sentence in refuse(**{**lists, **outputs, **parameters})
 
 
 @pytest.mark.parametrize("given", [1, "1"])
@@ -222,5 +222,5 @@ def test_a_list_is_never_overwritten(refuse, lists, outputs, tmp_path, name):
     before = layer.read_bytes()
     sentence = refuse(**{**lists, **outputs, name: str(layer), "RESIDUALS": str(layer)})
 
-    assert sentence == f"RESIDUALS {layer} is an input as well; choose another name."
+    assert sentence == f"Residuals (RESIDUALS) {layer} is an input as well; choose another name."
     assert layer.read_bytes() == before

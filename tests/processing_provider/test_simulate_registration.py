@@ -67,9 +67,15 @@ def test_the_log_names_ambiguous_points(run, tmp_path, feedback):
 @pytest.mark.parametrize(
     ("parameters", "sentence"),
     [
-        ({"TARGETS_PER_SCAN": 21}, "control.txt has 20 points, but TARGETS_PER_SCAN is 21; lower it"),
-        ({"TARGETS_PER_SCAN": 2}, "TARGETS_PER_SCAN is 2, but MODEL needs at least 3; raise it."),
-        ({"TRIALS": 0}, "TRIALS must be a whole number"),
+        (
+            {"TARGETS_PER_SCAN": 21},
+            "control.txt has 20 points, but Targets seen in each scan (TARGETS_PER_SCAN) is 21; lower it",
+        ),
+        (
+            {"TARGETS_PER_SCAN": 2},
+            "(TARGETS_PER_SCAN) is 2, but Transformation (MODEL) needs at least 3; raise it.",
+        ),
+        ({"TRIALS": 0}, "(TRIALS) must be a whole number"),
         ({"TABLE": "trials.txt"}, "end the name in .csv."),
     ],
 )

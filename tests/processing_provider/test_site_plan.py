@@ -114,7 +114,11 @@ def test_warnings_reach_the_log_even_if_no_wall_is_found(run, room, tmp_path, fe
 
     with pytest.raises(QgsProcessingException, match="No wall found"):
         run("siteplan", feedback, INPUT=room, SPACING=0.12, MIN_AREA=999, WALLS=str(tmp_path / "walls.gpkg"))
-    assert [warning for warning in feedback.warnings if warning.startswith("SPACING 0.12 m is wider")]
+    assert [
+        warning
+        for warning in feedback.warnings
+        if warning.startswith("Point spacing (SPACING) 0.12 m is wider")
+    ]
 
 
 def test_the_report_lists_the_parameters_of_the_run(made):
@@ -128,17 +132,18 @@ def test_the_defaults_of_the_parameters_are_those_of_the_core(plugin):
     from ichnograph.processing_provider.algorithms.site_plan import SitePlanAlgorithm, settings_of
 
     defaults = {item.name: getattr(item, "default", None) for item in SitePlanAlgorithm.inputs}
-    given = {**defaults, "HEIGHTS": 0, "AXES": None, "ROOMS": None}
+    given = {**defaults, "HEIGHTS": 0, "AXES": None, "ROOMS": None, "DRAWING": None}
     assert settings_of(given) == SitePlanSettings()
     assert settings_of({**given, "SECTION": 0.9}).storeys.cut.section_m == 0.9
 
 
-def test_axes_rooms_and_report_are_made_only_if_asked_for(provider, run, room, tmp_path):
+def test_scripts_get_what_they_ask_for_and_a_dialog_offers_rooms_and_report(provider, run, room, tmp_path):
     result = run("siteplan", INPUT=room, WALLS=str(tmp_path / "walls.gpkg"))
 
     assert not {*FURTHER, "ROOM_COUNT", "ROOM_AREA"} & {*result}
     definitions = {item.name(): item for item in provider.algorithm("siteplan").parameterDefinitions()}
-    assert not any(definitions[name].createByDefault() for name in FURTHER)
+    offered = {name for name in (*FURTHER, "PLAN", "DENSITY") if definitions[name].createByDefault()}
+    assert offered == {"DENSITY", "ROOMS", "REPORT"}
 
 
 def test_rooms_can_be_the_result_of_a_model(provider, room, tmp_path):

@@ -85,7 +85,7 @@ def _in_frame(xyz: np.ndarray, distance: float, settings: PlaneSettings, progres
     progress.update(0.4, f"{len(xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m.")
     every = extract(voxels, distance, settings)
     main = _facing_scanner(_largest_upright(every, xyz, distance, settings), voxels.centres, settings)
-    progress.update(0.6, f"The main plane covers {main.area:.1f} m2.")
+    progress.update(0.6, f"The main plane covers {main.area:.1f} m².")
     competitors = [patch for patch in every if not _is_facade(patch, main, settings)]
     secondary = _secondary(xyz, main, competitors, distance, settings)[: max(settings.max_planes - 1, 0)]
     progress.update(0.8)
@@ -105,7 +105,7 @@ def _nothing(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> str:
             "millimetres or feet, convert them to metres."
         )
     return (
-        f"No upright plane of {settings.smallest_m2} m2 or more was found with DISTANCE {distance:g} m; "
+        f"No upright plane of {settings.smallest_m2} m² or more was found with DISTANCE {distance:g} m; "
         "increase DISTANCE, and check that z points up and that the coordinates are in metres."
     )
 

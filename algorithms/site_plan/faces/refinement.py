@@ -96,7 +96,7 @@ def refine_walls(
             foliage += 1
     if not found:
         raise NothingFoundError(
-            "No wall found: no wall face could be fitted; REFINE=no keeps the outlines of pixels."
+            "No wall found: no wall face could be fitted; switch REFINE off to keep the outlines of pixels."
         )
     apart = _apart(found)
     return tuple(replace(wall, wall_id=number) for number, wall in enumerate(apart, start=1)), foliage

@@ -138,7 +138,7 @@ def _fate_rows(plan: SitePlan, areas: np.ndarray) -> list[_FateRow]:
         (
             Fate.FOLIAGE,
             "foliage: points spread over the plan, not along a face",
-            "MIN_HEIGHT=0 keeps it, and all else",
+            "MIN_HEIGHT 0 keeps it, and all else",
         ),
         (
             Fate.FURNITURE,

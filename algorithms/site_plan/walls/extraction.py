@@ -219,7 +219,7 @@ def _what_removed(
         f"No wall found: MIN_HEIGHT {parameters.min_height:g} m left {int(gate.tall.sum())} of "
         f"{gate.tall.size} pixels; over {len(steps)} thresholds from "
         f"{steps[0].threshold:.3g} to {steps[-1].threshold:.3g} standard deviations they formed "
-        f"{regions} regions, of which MIN_AREA {criteria.min_area:g} m2 removed {small}, and "
+        f"{regions} regions, of which MIN_AREA {criteria.min_area:g} m² removed {small}, and "
         f"MAX_FILL {criteria.max_fill:g} with MIN_ELONGATION {criteria.min_elongation:g} removed "
         f"{shape}; relax the one that removed most."
     )

@@ -1,0 +1,45 @@
+"""Files of a layout: PDF and SVG, with all geometry as it is."""
+
+from pathlib import Path
+
+from qgis.core import QgsLayoutExporter, QgsPrintLayout, QgsRenderContext
+
+from ...algorithms.errors import InputError
+
+DPI = 600
+"""Of what a printer cannot draw as lines, such as an orthoimage: a pixel is 0.04 mm."""
+
+
+def write_pdf(path: Path, layout: QgsPrintLayout) -> None:
+    """Write the sheet as PDF.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    settings = QgsLayoutExporter.PdfExportSettings()
+    settings.dpi = DPI
+    settings.simplifyGeometries = False
+    settings.textRenderFormat = QgsRenderContext.TextRenderFormat.AlwaysText
+    _require(QgsLayoutExporter(layout).exportToPdf(str(path), settings), path)
+
+
+def write_svg(path: Path, layout: QgsPrintLayout) -> None:
+    """Write the sheet as SVG.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    settings = QgsLayoutExporter.SvgExportSettings()
+    settings.dpi = DPI
+    settings.simplifyGeometries = False
+    settings.textRenderFormat = QgsRenderContext.TextRenderFormat.AlwaysText
+    _require(QgsLayoutExporter(layout).exportToSvg(str(path), settings), path)
+
+
+def _require(result: QgsLayoutExporter.ExportResult, path: Path) -> None:
+    if result != QgsLayoutExporter.ExportResult.Success:
+        raise InputError(f"{path} cannot be written; choose another name or folder.")

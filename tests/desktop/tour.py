@@ -1,0 +1,144 @@
+"""A tour of the desktop, which QGIS runs with `--code`: what a user does, and what is seen then, as JSON.
+
+TOUR_ZIP is the plugin, or it is on QGIS_PLUGINPATH; TOUR_CLOUDS are clouds, separated by semicolons;
+TOUR_FOLDER is an empty folder.
+"""
+
+import json
+import os
+import traceback
+from pathlib import Path
+
+import processing
+import pyplugin_installer
+import qgis.utils
+from processing.core.ProcessingResults import resultsList
+from qgis.core import Qgis, QgsApplication, QgsProject
+from qgis.PyQt.QtCore import QTimer
+from qgis.PyQt.QtWidgets import QTextEdit
+from qgis.utils import iface, loadPlugin, plugins, startPlugin
+
+FOLDER = Path(os.environ["TOUR_FOLDER"])
+CLOUDS = os.environ["TOUR_CLOUDS"].split(";")
+SECONDS = 240
+"""The longest that an algorithm may take, when it compiles for the first time."""
+
+seen = {"messages": [], "bars": [], "runs": [], "errors": []}
+
+dialogs = []
+"""Those that were opened; they are hidden, because a closed one would be deleted."""
+
+
+def note_message(text, tag, level):
+    """Note a message of the log that warns."""
+    if level in (Qgis.MessageLevel.Warning, Qgis.MessageLevel.Critical):
+        seen["messages"].append(f"{tag}: {text}")
+
+
+def note_bar(_):
+    """Note a bar above the map that warns."""
+    item = iface.messageBar().currentItem()
+    if item.level() in (Qgis.MessageLevel.Warning, Qgis.MessageLevel.Critical):
+        seen["bars"].append(f"{item.title()} {item.text()}")
+
+
+def note_exception(kind, value, trace, *further, **named):
+    """Note what QGIS would show in a window that waits for the user."""
+    seen["errors"].append("".join(traceback.format_exception(kind, value, trace)))
+
+
+def facts_of(layer, tree):
+    """Return what a user sees of a layer."""
+    vector = layer.type() == layer.VectorLayer
+    return {
+        "name": layer.name(),
+        "source": layer.source(),
+        "visible": tree.findLayer(layer.id()).isVisible(),
+        "system": layer.crs().authid() if layer.crs().isValid() else None,
+        "extent": layer.extent().toString(2),
+        "features": layer.featureCount() if vector else None,
+        "renderer": layer.renderer().type(),
+        "aliases": [field.alias() for field in layer.fields()] if vector else None,
+    }
+
+
+def project():
+    """Return what a user sees of the project."""
+    tree, extent = QgsProject.instance().layerTreeRoot(), iface.mapCanvas().extent()
+    return {
+        "layers": [facts_of(node.layer(), tree) for node in tree.findLayers()],
+        "canvas": [extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()],
+        "results": [entry.name for entry in resultsList.getResults()],
+    }
+
+
+def log_of(dialog):
+    """Return the text of the log of a dialog."""
+    texts = (edit.toPlainText() for edit in dialog.findChildren(QTextEdit))
+    return next((text for text in texts if "started at" in text), "")
+
+
+def run(key, values, picture, cancel=False):
+    """Run an algorithm from its dialog, and wait until its layers are there."""
+    dialog = processing.createAlgorithmDialog(f"ichnograph:{key}", values)
+    dialogs.append(dialog)
+    dialog.resize(1150, 900)
+    dialog.show()
+    yield 500
+    dialog.grab().save(str(FOLDER / f"{picture}_dialog.png"))
+    finished = []
+    dialog.algorithmFinished.connect(lambda succeeded, _: finished.append(succeeded))
+    dialog.runAlgorithm()
+    if cancel:
+        yield 100
+        dialog.cancelButton().click()
+    for _ in range(10 * SECONDS):
+        if finished:
+            break
+        yield 100
+    else:
+        raise RuntimeError(f"{key} does not end: {log_of(dialog)}")
+    yield 1500
+    seen["runs"].append({"name": picture, "succeeded": finished[0], "log": log_of(dialog), **project()})
+    dialog.hide()
+    iface.mainWindow().grab().save(str(FOLDER / f"{picture}.png"))
+
+
+def tour():
+    """Install the plugin, run the site plan, and run it twice into the same file."""
+    qgis.utils.showException = note_exception
+    QgsApplication.messageLog().messageReceived.connect(note_message)
+    iface.messageBar().widgetAdded.connect(note_bar)
+    iface.mainWindow().resize(1400, 900)
+    if "TOUR_ZIP" in os.environ:
+        pyplugin_installer.instance().installFromZipFile(os.environ["TOUR_ZIP"])
+    elif loadPlugin("ichnograph"):
+        startPlugin("ichnograph")
+    yield 500
+    seen["installed"] = "ichnograph" in plugins
+    yield from run("siteplan", {"INPUT": CLOUDS}, "siteplan")
+    walls = {"WALLS": str(FOLDER / "walls.gpkg"), "DENSITY": None, "ROOMS": None, "REPORT": None}
+    for number, cloud in enumerate(CLOUDS):
+        yield from run("siteplan", {"INPUT": [cloud], **walls, "STOREY": False}, f"again_{number}")
+
+
+def step(steps):
+    """Do the next step, and go on after the pause that it asks for."""
+    try:
+        pause = next(steps)
+    except StopIteration:
+        leave()
+    except Exception:  # what is wrong must be seen by the test
+        seen["errors"].append(traceback.format_exc())
+        leave()
+    else:
+        QTimer.singleShot(pause, lambda: step(steps))
+
+
+def leave():
+    """Write what was seen, and end QGIS at once, because it would ask whether to save the project."""
+    (FOLDER / "seen.json").write_text(json.dumps(seen, indent=1), encoding="utf-8")
+    os._exit(0)
+
+
+QTimer.singleShot(3000, lambda: step(tour()))
