@@ -12,6 +12,9 @@ from rasterio.errors import CRSError
 
 from .errors import InputError
 
+BESIDE = 2.0
+"""By how many degrees a site may lie beside the area for which a system is made."""
+
 UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
@@ -120,6 +123,25 @@ def has_only_heights(crs: CRS) -> bool:
     """Whether a system is vertical, without a horizontal one."""
     definition = _definition(crs)
     return bool(definition.is_vertical and not definition.sub_crs_list)
+
+
+def are_swapped(crs: CRS, x: float, y: float) -> bool:
+    """Whether a position lies outside the area of a projected system, but inside it with x and y swapped."""
+    definition = _definition(crs)
+    area = definition.area_of_use
+    if area is None or not definition.is_projected or area.west > area.east:
+        return False
+    try:
+        degrees = pyproj.Transformer.from_crs(definition, "EPSG:4326", always_xy=True)
+        east, north = degrees.transform([x, y], [y, x])
+    except ProjError:
+        return False
+    inside = [
+        area.west - BESIDE <= longitude <= area.east + BESIDE
+        and area.south - BESIDE <= latitude <= area.north + BESIDE
+        for longitude, latitude in zip(east, north)
+    ]
+    return inside == [False, True]
 
 
 def name_of(crs: CRS) -> str:

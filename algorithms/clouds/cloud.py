@@ -10,7 +10,7 @@ from rasterio.crs import CRS
 
 from ..errors import InputError
 from ..progress import Progress
-from ..reference_systems import horizontal, is_local, name_of, require_metres
+from ..reference_systems import are_swapped, horizontal, is_local, name_of, require_metres
 from .formats import format_of, readable_formats
 from .settings import ReadingSettings
 from .source import Chunk, Source, unreadable
@@ -96,7 +96,11 @@ def open_cloud(
         sources=sources,
         origin=np.array([*(np.floor(middle[:2] / 100) * 100), 0.0]),
         crs=common,
-        warnings=tuple(sentence for source in sources for sentence in source.warnings) + warnings,
+        warnings=(
+            *(sentence for source in sources for sentence in source.warnings),
+            *warnings,
+            *_swapped(sources, common),
+        ),
     )
 
 
@@ -177,6 +181,16 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if chosen is not None and chosen != common:
         return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)
     return common, ()
+
+
+def _swapped(sources: tuple[Source, ...], crs: Optional[CRS]) -> tuple[str, ...]:
+    """Return a sentence if the axes of the coordinates are swapped, so that the site is mirrored."""
+    if crs is None or not are_swapped(crs, *sources[0].middle[:2]):
+        return ()
+    return (
+        f"x and y of {sources[0].path} seem to be swapped, because they lie in the area of {name_of(crs)} "
+        "only the other way round; the plan would be mirrored, so write easting before northing.",
+    )
 
 
 def names_of(sources: tuple[Source, ...]) -> str:

@@ -79,6 +79,50 @@ class ReadingSettings:
 
 
 @dataclass(frozen=True)
+class UprightSettings:
+    """How a cloud that does not stand upright is found out."""
+
+    largest_tilt_deg: float = judged(
+        1.0, "Leans a wall of 3 m by 5 cm, half a pixel; levelled scanners are better by a hundred times."
+    )
+    most_files: int = judged(4, "Files of one site stand alike.")
+    chunk_points: int = judged(1_000_000, "The beginning of a scan reaches from floor to ceiling.")
+    most_points: int = judged(300_000, "Show a building's directions; more delay the run by seconds.")
+    edges_m: tuple[float, ...] = judged(
+        (0.2, 0.4, 0.8), "Cubes are smaller than walls are long, and hold enough points of sparser clouds."
+    )
+    fewest_points: int = statistical(10, "A plane through fewer points leans by their noise.")
+    thickest: float = judged(
+        0.2, "A face is thinner than this part of its width, with the roughness of masonry."
+    )
+    widest: float = judged(0.1, "Points along a line have no normal; those of a face spread over its cube.")
+    fewest_faces: int = statistical(300, "Directions of fewer faces are not significant.")
+    enough_faces: int = judged(3000, "Larger cubes would be used for sparser clouds only.")
+    most_normals: int = judged(1500, "Show the vertical to a tenth of a degree; more cost time.")
+    search_deg: tuple[tuple[float, float], ...] = judged(
+        ((20.0, 1.0), (1.0, 0.25), (0.25, 0.05)),
+        "Reach and step of the search: beyond 20 degrees floors are ramps or roofs, or another axis is up.",
+    )
+    width_deg: float = judged(1.2, "How far normals of floors and walls scatter in cubes of rough masonry.")
+    clearer: float = judged(
+        1.25,
+        "Real scans that stand upright agree up to 1.1 times better with another vertical than with z, scans "
+        "tilted by 2 degrees at least 1.3 times.",
+    )
+    fewest_floors: float = judged(0.05, "Part of the faces; without a ground nothing hangs from it.")
+    fewest_walls: float = judged(0.04, "Part of the faces; without walls a slope is a slope.")
+    facing_deg: float = judged(15.0, "Faces that lean less are level, or plumb.")
+    lowest_m: float = physical(2.2, "Rooms are higher; corridors are often narrower.")
+    flat: float = judged(0.75, "Of a storey, the height is clearly smaller than length and width.")
+    more_floor: float = judged(1.3, "Floors and ceilings cover more than the walls of one direction.")
+    much_more_floor: float = judged(2.0, "So much more that a house as high as wide shows it.")
+    end: float = judged(0.3, "Part of the height at either end in which floor and ceiling lie.")
+    least_end: float = judged(0.15, "A facade seen from one side has nothing at the other end.")
+    hanging: float = judged(0.9, "Part of the level faces in the upper half if the ground is above.")
+    below: float = judged(0.6, "Part of the plumb faces in the lower half if walls hang from the ground.")
+
+
+@dataclass(frozen=True)
 class TileSettings:
     """Which points are stray."""
 

@@ -6,7 +6,7 @@ from typing import Any
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_upright_site
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
@@ -42,7 +42,7 @@ class DensityImageAlgorithm(Algorithm):
         from ...algorithms.site_plan.density.density_raster import write_density
 
         size = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
-        image = density_image(open_site(values), *size, log.progress, height_range(values))
+        image = density_image(open_upright_site(values, log), *size, log.progress, height_range(values))
         log.warn(image.warnings)
         log_density(image, log)
         return Outcome({"DENSITY": partial(write_density, image=image)}, point_numbers(image))

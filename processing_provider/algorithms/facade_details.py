@@ -4,7 +4,7 @@ from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, open_site
+from ..parameters.clouds import CLOUDS, CRS, open_upright_site
 from ..parameters.destinations import (
     DrawingDestination,
     PolygonDestination,
@@ -96,7 +96,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         from ...algorithms.facade.settings import FacadeSettings
 
         settings = FacadeSettings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
-        cloud = open_site(values)
+        cloud = open_upright_site(values, log)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
         elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, open_site
+from ..parameters.clouds import CLOUDS, CRS, open_upright_site
 from ..parameters.destinations import CloudDestination, PolygonDestination
 from ..parameters.facade import DISTANCE, MAX_PLANES, MIN_POINTS
 
@@ -62,7 +62,7 @@ class FacadePlanesAlgorithm(Algorithm):
         from ...algorithms.facade.planes.settings import PlaneSettings
         from ...algorithms.facade.points import read_points
 
-        cloud = open_site(values)
+        cloud = open_upright_site(values, log)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.4))
         settings = PlaneSettings(min_points=values["MIN_POINTS"], max_planes=values["MAX_PLANES"])

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_site
+from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_upright_site
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
@@ -114,7 +114,7 @@ class SitePlanAlgorithm(Algorithm):
         from ...algorithms.site_plan.site_plan import make_site_plan
 
         try:
-            plan = make_site_plan(open_site(values), settings_of(values), log.progress)
+            plan = make_site_plan(open_upright_site(values, log), settings_of(values), log.progress)
         except NothingFoundError as error:
             log.warn(error.warnings)
             raise

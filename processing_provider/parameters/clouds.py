@@ -8,6 +8,7 @@ from .parameter import Number, ReferenceSystem
 
 if TYPE_CHECKING:
     from ...algorithms.clouds.cloud import Cloud
+    from ..log import Log
 
 CLOUDS = CloudFiles(
     "INPUT",
@@ -67,3 +68,12 @@ def open_site(values: dict[str, Any]) -> "Cloud":
 
     crs = values.get("CRS")
     return open_cloud(values["INPUT"], chosen_system(crs.toWkt(), "CRS") if crs else None)
+
+
+def open_upright_site(values: dict[str, Any], log: "Log") -> "Cloud":
+    """Open the clouds that the user chose as one site, and say if it does not stand upright."""
+    from ...algorithms.clouds.uprightness import upright_warnings
+
+    cloud = open_site(values)
+    log.warn(upright_warnings(cloud, log.progress))
+    return cloud

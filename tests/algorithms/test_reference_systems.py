@@ -8,6 +8,7 @@ from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.raster import write_raster
 from ichnograph.algorithms.reference_systems import (
     UNDEFINED,
+    are_swapped,
     has_only_heights,
     horizontal,
     is_local,
@@ -153,3 +154,11 @@ def test_heights_alone_are_recognised():
     assert has_only_heights(CRS.from_epsg(7837))
     assert not has_only_heights(CRS.from_user_input("EPSG:25832+7837"))
     assert not has_only_heights(CRS.from_epsg(25832))
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "swapped"),
+    [(412345, 5812345, False), (5812345, 412345, True), (0, 0, False), (1e300, 1e300, False)],
+)
+def test_coordinates_that_fit_the_system_only_the_other_way_round_are_swapped(x, y, swapped):
+    assert are_swapped(CRS.from_epsg(25833), x, y) is swapped

@@ -185,3 +185,10 @@ def test_a_folder_without_clouds_is_refused(tmp_path):
         names_in(tmp_path, "readme.md")
     with pytest.raises(InputError, match="nowhere cannot be read"):
         clouds_in(tmp_path / "nowhere")
+
+
+def test_a_cloud_with_northings_before_eastings_is_said_to_be_mirrored(tmp_path):
+    (tmp_path / "a.xyz").write_text("5812345.5 412345.5 71.5\n" * 3)
+    cloud = open_cloud([tmp_path / "a.xyz"], CRS.from_epsg(25833))
+    assert "x and y of" in cloud.warnings[-1]
+    assert "the plan would be mirrored" in cloud.warnings[-1]
