@@ -5,7 +5,6 @@ import struct
 from pathlib import Path
 
 import laspy
-import lazrs
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -13,8 +12,8 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.clouds.formats.las import LasSource
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_las
-from laspy.vlrs.known import LasZipVlr, WktCoordinateSystemVlr
+from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_copc, write_las
+from laspy.vlrs.known import WktCoordinateSystemVlr
 from laspy.vlrs.vlrlist import VLRList
 from rasterio.crs import CRS
 
@@ -39,37 +38,6 @@ def records(count, point_format=3, seed=0):
 def write(path, header, points):
     with laspy.open(path, "w", header=header) as writer:
         writer.write_points(points)
-    return path
-
-
-def write_copc(path, header, points, nodes):
-    """Write `points` in `nodes` chunks of unlike size, as an octree with one level of children."""
-    header.are_points_compressed = True
-    laszip = lazrs.LazVlr.new_for_compression(header.point_format.id, 0, True)
-    header.vlrs.extend([laspy.VLR("copc", 1, "", bytes(160)), LasZipVlr(laszip.record_data())])
-    cuts = np.linspace(0, np.sqrt(len(points)), nodes + 1).astype(int) ** 2
-    with path.open("wb+") as stream:
-        header.write_to(stream)
-        compressor = lazrs.LasZipCompressor(stream, laszip)
-        for start, stop in zip(cuts, [*cuts[1:-1], len(points)]):
-            compressor.compress_many(np.frombuffer(points.array[start:stop].tobytes(), np.uint8))
-            compressor.finish_current_chunk()
-        compressor.done()
-        hierarchy = stream.seek(0, 2) + 60
-        stream.seek(header.offset_to_point_data)
-        offset, entries = header.offset_to_point_data + 8, b""
-        for node, (count, size) in enumerate(lazrs.read_chunk_table(stream, laszip)):
-            key = (0, 0, 0, 0) if node == 0 else (1, *np.unravel_index(node - 1, (2, 2, 2)))
-            entries += struct.pack("<4iQii", *key, offset, size, count)
-            offset += size
-        cube = (*header.offsets, 200.0, 1.0)
-        info = struct.pack("<5d2Q2d", *cube, hierarchy, len(entries), 0, 0).ljust(160, b"\0")
-        header.vlrs[0] = laspy.VLR("copc", 1, "", info)
-        header.point_count, header.number_of_evlrs = len(points), 1
-        header.start_of_first_evlr = stream.seek(0, 2)
-        VLRList([laspy.VLR("copc", 1000, "", entries)]).write_to(stream, as_extended=True)
-        stream.seek(0)
-        header.write_to(stream, ensure_same_size=True)
     return path
 
 
