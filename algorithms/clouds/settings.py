@@ -64,7 +64,7 @@ class ReadingSettings:
         "Enough to show the ranges of colour and intensity and the middle of the site; more delay opening.",
     )
     runs: int = judged(
-        8, "Spread over the file, because its first points alone may all be dark or lie in one corner."
+        16, "Spread over the file, because its first points alone may all be dark or lie in one corner."
     )
     run_points: int = judged(
         1000, "A run costs one seek and the decoding of a compressed chunk, whatever its length."

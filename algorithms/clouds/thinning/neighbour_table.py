@@ -1,7 +1,8 @@
 """The choice of points within one tile: a hash table of cells answers which chosen points are near."""
 
 import numpy as np
-from numba import njit
+
+from ...kernels import kernel
 
 ROW, LEVEL = 1 << 16, 1 << 32
 """Steps of a cell's packed number from row to row and level to level of a tile."""
@@ -29,7 +30,7 @@ def choose(xyz: np.ndarray, seeds: np.ndarray, corner: tuple[int, int], reach: i
     return order[_choose(xyz[order], seeds, low.astype(np.int64), np.int64(reach), size)]
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _hashes(xyz: np.ndarray, corner_x: int, corner_y: int) -> np.ndarray:
     """Splitmix64 of the absolute lattice coordinates: an order without direction or pattern."""
     out = np.empty(len(xyz), np.uint64)
@@ -44,7 +45,7 @@ def _hashes(xyz: np.ndarray, corner_x: int, corner_y: int) -> np.ndarray:
     return out
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _slot(cell: int, table: np.ndarray, cells: np.ndarray, mask: np.uint64) -> np.uint64:
     """Return the slot of a cell in an open hash table: its own, or the empty one for it."""
     slot = np.uint64(cell) * np.uint64(0x9E3779B97F4A7C15)
@@ -54,7 +55,7 @@ def _slot(cell: int, table: np.ndarray, cells: np.ndarray, mask: np.uint64) -> n
     return slot
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _is_free(
     x: int,
     y: int,
@@ -80,13 +81,13 @@ def _is_free(
     return True
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _cell(x: int, y: int, z: int, reach: int) -> int:
     """Pack the numbers of a cell of edge `reach` into one."""
     return x // reach + y // reach * ROW + z // reach * LEVEL
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _choose(xyz: np.ndarray, seeds: np.ndarray, low: np.ndarray, reach: int, size: int) -> np.ndarray:
     """Return the rows of `xyz` chosen in order; `seeds` are chosen already. All in lattice steps."""
     mask = np.uint64(size - 1)

@@ -6,7 +6,8 @@ coordinates.
 """
 
 import numpy as np
-from numba import njit
+
+from ...kernels import kernel
 
 LATTICE = 1e-5
 """Step of the lattice, in metres: a tenth of the finest step that scanners' files use."""
@@ -41,7 +42,7 @@ def tiles_of(xyz: np.ndarray, origin: np.ndarray, edge: int) -> tuple[np.ndarray
     return _tiles_of(np.ascontiguousarray(xyz), origin, edge, round(1 / FINE), round(LATTICE / FINE))
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _tiles_of(
     xyz: np.ndarray, origin: np.ndarray, edge: int, per_metre: int, steps: int
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -57,7 +58,7 @@ def _tiles_of(
     return key, steps_from
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _rounded(value: float, origin: int, per_metre: int, steps: int) -> int:
     """Round to the lattice by way of finer integers: a tie must not depend on the origin."""
     fine = np.int64(np.rint(value * per_metre)) + origin * per_metre

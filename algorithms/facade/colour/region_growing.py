@@ -1,9 +1,9 @@
 """Regions of one colour, grown from seeds over neighbouring points."""
 
 import numpy as np
-from numba import njit
 
 from ...geometry.triangulation import Mesh
+from ...kernels import kernel
 from .appearance import Appearance
 from .seeds import Lattice, Seeds, distance_in_colour, gather, mean_and_variance, sort_into_cells
 from .settings import ColourSettings
@@ -87,7 +87,7 @@ def absorb(
     return renamed
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _grow_all(
     points: np.ndarray,
     rgb: np.ndarray,
@@ -123,7 +123,7 @@ def _grow_all(
         _grow(rgb, relative, reach, first, neighbours, colour, region, members, count, mean, labels)
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _grow(
     rgb: np.ndarray,
     relative: np.ndarray,
@@ -166,7 +166,7 @@ def _grow(
         start = stop
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _spread(
     first: np.ndarray, neighbours: np.ndarray, rgb: np.ndarray, means: np.ndarray, labels: np.ndarray
 ) -> None:

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ...kernels import kernel
 from .settings import SeedSettings
 
 
@@ -117,7 +117,7 @@ def _surfaces(
     return shifts, variances
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _nearest_to_centres(points: np.ndarray, lattice: Lattice) -> np.ndarray:
     """Return the point nearest to the centre of each cell; -1 in empty cells."""
     corner, size, columns, rows, starts, order = lattice
@@ -136,7 +136,7 @@ def _nearest_to_centres(points: np.ndarray, lattice: Lattice) -> np.ndarray:
     return nearest
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def gather(
     points: np.ndarray,
     seed: int,
@@ -164,7 +164,7 @@ def gather(
     return count, every
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def mean_and_variance(rgb: np.ndarray, members: np.ndarray, count: int, mean: np.ndarray) -> float:
     """Write the mean colour to `mean` and return the sum of the variances of the three colours."""
     total = 0.0
@@ -179,7 +179,7 @@ def mean_and_variance(rgb: np.ndarray, members: np.ndarray, count: int, mean: np
     return total
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def distance_in_colour(rgb: np.ndarray, point: int, mean: np.ndarray) -> float:
     """Return the Euclidean distance of the colour of a point to a mean."""
     total = 0.0
@@ -188,7 +188,7 @@ def distance_in_colour(rgb: np.ndarray, point: int, mean: np.ndarray) -> float:
     return np.sqrt(total)
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _measure(
     points: np.ndarray,
     rgb: np.ndarray,

@@ -3,9 +3,9 @@
 from typing import Optional
 
 import numpy as np
-from numba import njit
 
 from ...geometry.robust import sigma_of_residuals
+from ...kernels import kernel
 from .settings import FitSettings
 
 
@@ -81,7 +81,7 @@ def refit(
     return normal, anchor
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _search(
     points: np.ndarray,
     normals: np.ndarray,
@@ -118,7 +118,7 @@ def _search(
     return best
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _complete(
     points: np.ndarray,
     normals: np.ndarray,
@@ -148,7 +148,7 @@ def _complete(
     return False
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _score(
     points: np.ndarray,
     normals: np.ndarray,

@@ -1,10 +1,10 @@
 """The accumulators of the bands of a density image, filled tile by tile."""
 
 import numpy as np
-from numba import njit
 
 from ...clouds.tiles.lattice import LATTICE
 from ...clouds.tiles.tile_store import Tile
+from ...kernels import kernel
 from .grid import Grid
 from .settings import DensitySettings
 from .spread import count_in_parts
@@ -38,7 +38,7 @@ class Bands:
         _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _spread(density: np.ndarray, xyz: np.ndarray, x0: int, y0: int, step: int, neighbourhood: int) -> None:
     """Add each point with weights inverse to the distances from the pixel centres, of sum 1."""
     width = 2 * neighbourhood + 1
@@ -60,7 +60,7 @@ def _spread(density: np.ndarray, xyz: np.ndarray, x0: int, y0: int, step: int, n
                 density[row + r - neighbourhood, column + c - neighbourhood] += weights[r, c]
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _stack(
     ground: np.ndarray,
     bits: np.ndarray,

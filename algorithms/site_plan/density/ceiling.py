@@ -1,9 +1,9 @@
 """Ceilings, and what hangs from them: a wall reaches its ceiling, furniture ends below."""
 
 import numpy as np
-from numba import njit
 from scipy import ndimage
 
+from ...kernels import kernel
 from .ground import surfaces_of, wide_parts
 from .settings import CeilingSettings
 
@@ -53,7 +53,7 @@ def _ceilings(levels: np.ndarray, settings: CeilingSettings) -> np.ndarray:
     return np.where(wide_parts(surfaces, even[surfaces], settings.patch_cells), closed, -1)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _levels(
     bits: np.ndarray, held: np.ndarray, side: int, lowest: int, cover: float, clear: int, clutter: float
 ) -> np.ndarray:
@@ -82,7 +82,7 @@ def _levels(
     return levels
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _hanging(
     bits: np.ndarray, held: np.ndarray, levels: np.ndarray, side: int, reach: int, beam: int, gap: int
 ) -> np.ndarray:
@@ -107,7 +107,7 @@ def _hanging(
     return out
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _lowest_beside(levels: np.ndarray, row: int, column: int, reach: int) -> int:
     """Return the lowest of the levels around a cell; -1 without one."""
     lowest = -1
@@ -118,7 +118,7 @@ def _lowest_beside(levels: np.ndarray, row: int, column: int, reach: int) -> int
     return lowest
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _filled_below(word: int, level: int, gap: int) -> int:
     """Return the number of bins from the lowest that is filled without wider gaps up to `level`."""
     end = level
@@ -130,7 +130,7 @@ def _filled_below(word: int, level: int, gap: int) -> int:
     return level - end
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _is_one_piece(word: int, gap: int) -> bool:
     """Return whether all points stand on the ground: the head of a window hangs above its sill."""
     top = 63

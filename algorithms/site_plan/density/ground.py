@@ -1,12 +1,12 @@
 """The local ground: the surface that heights of walls are counted from."""
 
 import numpy as np
-from numba import njit
 from scipy import ndimage
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
 from ...clouds.tiles.tile_store import Tile
 from ...geometry.linked_parts import label_linked
+from ...kernels import kernel
 from .grid import Grid
 from .settings import GroundSettings
 
@@ -51,7 +51,7 @@ class LowestSurface:
         self.height[cells] *= LATTICE
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _layers(xyz: np.ndarray, step: int, side: int, layer: int) -> tuple[np.ndarray, np.ndarray]:
     """Count the points of each cell by layer, and sum their heights."""
     low, high = xyz[:, 2].min(), xyz[:, 2].max()
@@ -65,7 +65,7 @@ def _layers(xyz: np.ndarray, step: int, side: int, layer: int) -> tuple[np.ndarr
     return counts, sums
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _lowest(
     counts: np.ndarray, sums: np.ndarray, support: float, enough: int, clearance: int
 ) -> tuple[np.ndarray, np.ndarray]:

@@ -1,12 +1,12 @@
 """The spread of points within a pixel: those of a wall stand above one another, foliage fills the pixel."""
 
 import numpy as np
-from numba import njit
 
+from ...kernels import kernel
 from .settings import SpreadSettings
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def count_in_parts(
     counts: np.ndarray,
     ground: np.ndarray,
@@ -53,7 +53,7 @@ def spread_of(counts: np.ndarray, settings: SpreadSettings = SpreadSettings()) -
     return _spread_of(counts, settings.parts, settings.fewest_points)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _spread_of(counts: np.ndarray, parts: int, fewest: int) -> np.ndarray:
     rows, columns = counts.shape[0] // parts, counts.shape[1] // parts
     spread = np.full((rows, columns), np.nan, np.float32)

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import Optional
 
 import numpy as np
-from numba import njit
 
 from ...geometry.curves import crossing
+from ...kernels import kernel
 from .face import Face
 from .ring_faces import RingFaces
 from .settings import FaceOutlineSettings
@@ -114,7 +114,7 @@ def _crossed(corners: np.ndarray) -> np.ndarray:
     return _sweep(corners, order)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _sweep(corners: np.ndarray, order: np.ndarray) -> np.ndarray:
     """Return the edges that cross others; `order` is that of their western ends."""
     n = len(corners)

@@ -7,11 +7,11 @@ scanner stood. Its position is the mean of its points, so that thinning costs no
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from scipy import ndimage
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
 from ...clouds.tiles.tile_store import Tile
+from ...kernels import kernel
 from ...progress import Progress
 from ..density.density_image import DensityImage, SortedPoints
 from .settings import FacePointSettings
@@ -116,7 +116,7 @@ def _window(image: DensityImage, walls: np.ndarray, settings: FacePointSettings)
     return float(np.nanmin(low)) - ROUNDING, float(np.nanpercentile(high, settings.top_percentile)) + ROUNDING
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _levels(
     near: np.ndarray,
     ground: np.ndarray,

@@ -11,9 +11,9 @@ from dataclasses import astuple, fields
 from typing import Any, Callable, NamedTuple
 
 import numpy as np
-from numba import njit
 
 from ...geometry.robust import sigma_of_residuals
+from ...kernels import kernel
 from .settings import SegmentSettings
 
 _make: Callable[..., Any] = namedtuple
@@ -77,7 +77,7 @@ def _moments(points: np.ndarray, directions: np.ndarray) -> np.ndarray:
     return np.vstack([np.zeros(13), np.cumsum(np.column_stack(products), axis=0)])
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _cheapest(sums: np.ndarray, sigma: float, numbers: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return where the last segment before each end starts, and its kind: 0 omitted, 1 straight, 2 curved."""
     n = len(sums) - 1
@@ -100,7 +100,7 @@ def _cheapest(sums: np.ndarray, sigma: float, numbers: Any) -> tuple[np.ndarray,
     return came, kind
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _line_misfit(m: np.ndarray, sigma: float, numbers: Any) -> float:
     """Return what points and directions cost on the best line."""
     n = m[0]
@@ -109,7 +109,7 @@ def _line_misfit(m: np.ndarray, sigma: float, numbers: Any) -> float:
     return squares / sigma**2 + 2 * (n - np.hypot(m[10], m[11])) / numbers.sigma_direction_rad**2
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _circle_misfit(m: np.ndarray, sigma: float, numbers: Any) -> float:
     """Return what points and directions cost on the best circle (Kasa 1976); infinite without one."""
     n = m[0]

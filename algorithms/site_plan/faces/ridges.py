@@ -10,8 +10,8 @@ from dataclasses import astuple, dataclass, fields
 from typing import Any, Callable
 
 import numpy as np
-from numba import njit
 
+from ...kernels import kernel
 from .face_points import SQUARE, FacePoints
 from .settings import RidgeSettings
 
@@ -89,7 +89,7 @@ def find_ridges(
     return ridges
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _find(
     points: np.ndarray,
     level: np.ndarray,
@@ -126,7 +126,7 @@ def _find(
         direction[i, 0], direction[i, 1] = c * tx - s * ty, c * ty + s * tx
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _collect(
     points: np.ndarray,
     level: np.ndarray,
@@ -156,7 +156,7 @@ def _collect(
     return count
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _best_line(local: np.ndarray, turns: np.ndarray, pixel: float, numbers: Any) -> tuple[float, float]:
     """Return turn and offset of the line with most voxels; of two parallel ones, of the outer if strong."""
     half, cell_m = numbers.across_px * pixel, numbers.cell_m
@@ -189,7 +189,7 @@ def _best_line(local: np.ndarray, turns: np.ndarray, pixel: float, numbers: Any)
     return best_turn, (chosen - 1) * cell_m - half
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _fit(
     local: np.ndarray,
     levels: np.ndarray,
@@ -228,7 +228,7 @@ def _fit(
     return sound, turn, offset + _beside(local, turn, offset, numbers)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _beside(local: np.ndarray, turn: float, offset: float, numbers: Any) -> float:
     """Return the mean distance from the line of the voxels right beside the station."""
     c, s = np.cos(turn), np.sin(turn)

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from numba import njit
 
 from ....errors import InputError
+from ....kernels import kernel
 from ..settings import LevelSettings
 from .voxels import Voxels
 
@@ -122,7 +122,7 @@ def find_uprights(
     return Uprights(frame, pixels // frame.shape[1], pixels % frame.shape[1], sums[:, :2], angle, bits)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _by_pixel(values: np.ndarray, level: np.ndarray, starts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean values of each pixel and its levels."""
     count = len(starts) - 1

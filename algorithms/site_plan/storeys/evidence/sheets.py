@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from numba import njit
 from shapely.geometry import LineString
 
+from ....kernels import kernel
 from ..settings import SheetSettings
 from .levels import Uprights, count_levels
 
@@ -174,7 +174,7 @@ class _Growth:
         )  # fmt: skip
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _walk(
     number: np.ndarray,
     pixel: float,
@@ -214,7 +214,7 @@ def _walk(
     return np.array(chosen, dtype=np.int64)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _fitted(xy: np.ndarray, weight: np.ndarray, line: np.ndarray, farthest: float) -> np.ndarray:
     """Fit a line by least squares with Tukey weights, 0 from the farthest; its origin stays near the seed."""
     robust = weight.copy()

@@ -1,8 +1,8 @@
 """How much upright surface stands along a line."""
 
 import numpy as np
-from numba import njit
 
+from ....kernels import kernel
 from .levels import Uprights, count_levels
 
 
@@ -65,7 +65,7 @@ class UprightsAlong:
         return np.bincount(line, counts, len(ends)) / np.maximum(np.bincount(line, minlength=len(ends)), 1)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _look(
     number: np.ndarray,
     pixel: float,

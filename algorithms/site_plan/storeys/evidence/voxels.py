@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from scipy.spatial import cKDTree
 
 from ....geometry.linked_parts import label_linked
+from ....kernels import kernel
 from ..settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -156,7 +156,7 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
     return normal[back], thickness[back]
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _fit_planes(
     xyz: np.ndarray, buckets: np.ndarray, radius: float, fewest: int
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -197,7 +197,7 @@ def _fit_planes(
     return normal, thickness
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _find_around(buckets: np.ndarray, middle: int, starts: np.ndarray, ends: np.ndarray) -> None:
     """Write where the nine columns of three buckets around a bucket start and end."""
     k = 0
@@ -209,7 +209,7 @@ def _find_around(buckets: np.ndarray, middle: int, starts: np.ndarray, ends: np.
             k += 1
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _thinnest(a: float, b: float, c: float, d: float, e: float, f: float, direction: np.ndarray) -> float:
     """Return the smallest eigenvalue of the matrix (a b c, b d e, c e f); `direction` takes its vector."""
     mean = (a + d + f) / 3.0
