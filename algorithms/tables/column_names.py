@@ -14,18 +14,20 @@ CLOUD: Roles = {
         *("x", "easting", "eastings", "east", "e", "points:0", "xcoordinate", "xcoord", "coordx"),
         *("rechtswert", "ostwert", "ost", "xkoordinate", "est", "coordonneex", "abscisse", "xest"),
         *("coordinatax", "este", "coordenadax", "xeast", "eastingx", "xeasting", "ecoord", "cartesianx"),
+        *("xkoord", "rw"),
     ),
     "y": (
         *("y", "northing", "northings", "north", "n", "points:1", "ycoordinate", "ycoord", "coordy"),
         *("hochwert", "nordwert", "nord", "ykoordinate", "coordonneey", "ordonnee", "ynord"),
         *("coordinatay", "norte", "coordenaday", "ynorth", "northingy", "ynorthing", "ncoord", "cartesiany"),
+        *("ykoord", "hw"),
     ),
     "z": (
         *("z", "elevation", "elev", "height", "altitude", "alt", "h", "points:2", "zcoordinate", "zcoord"),
         *("coordz", "hohe", "hoehe", "zkoordinate", "hauteur", "coordonneez", "quota", "altezza", "niveau"),
         *("altitudine", "coordinataz", "cota", "altura", "altitud", "elevacion", "coordenadaz", "zheight"),
         *("heightz", "zhohe", "zhoehe", "orthoheight", "elevationz", "zelevation", "reducedlevel", "rl"),
-        "cartesianz",
+        *("cartesianz", "zkoord"),
     ),
     "intensity": (
         *("intensity", "i", "reflectance", "reflectivity", "amplitude", "scalarintensity", "intensitat"),

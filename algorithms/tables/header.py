@@ -56,8 +56,27 @@ def metres_of(path: Path, unit: Optional[str]) -> float:
     return factor
 
 
-def read_preamble(path: Path, lines: list[str], delimiter: str, width: int, roles: Roles = CLOUD) -> Header:
+def read_preamble(
+    path: Path,
+    lines: list[str],
+    delimiter: str,
+    width: int,
+    roles: Roles = CLOUD,
+    ends_with_delimiter: bool = False,
+) -> Header:
     """Return what the lines before the first row say.
+
+    Parameters
+    ----------
+    path : Path
+    lines : list of str
+    delimiter : str
+    width : int
+        Number of columns of the rows.
+    roles : mapping of str to tuple of str
+        The names of each role.
+    ends_with_delimiter : bool
+        Whether the rows end with a delimiter, and so with an empty column that needs no name.
 
     Raises
     ------
@@ -70,6 +89,8 @@ def read_preamble(path: Path, lines: list[str], delimiter: str, width: int, role
     announced = None
     for number, line in enumerate(lines, start=1):
         fields = header_fields(line, delimiter)
+        if ends_with_delimiter and len(fields) == width - 1:
+            fields.append("")
         stated = unit_of_remark(line) or stated
         if is_count(line):
             announced = (announced or 0) + int(line)

@@ -34,10 +34,7 @@ _BRACKETS = re.compile(r"[\[({<]\s*(?:in\s+)?([^\])}>]*?)\s*[\])}>]")
 _SUFFIX = re.compile(
     r"(?<=[^\W_])(?:[\s_/]|\s+in\s+)(mm|cm|dm|km|m|ft|us-?ft|feet|foot|inch|inches|metres?|meters?)\s*$"
 )
-_REMARK = re.compile(
-    r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b\W*(?:is|are|in|of length)?\W*"
-    r"([a-z-]+)\b"
-)
+_REMARK = re.compile(r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b(.*)")
 
 
 def unit_of(name: str) -> Optional[str]:
@@ -55,8 +52,9 @@ def unit_of(name: str) -> Optional[str]:
 
 def unit_of_remark(line: str) -> Optional[str]:
     """Return the unit that a line such as '# units: mm' states; None without one."""
-    found = (_plain(match.group(1)) for match in _REMARK.finditer(line.lower()))
-    return next((unit for unit in found if unit in METRES or unit in FEET), None)
+    match = _REMARK.search(line.lower())
+    words = [_plain(word) for word in match.group(1).split()[:4]] if match else []
+    return next((word for word in words if word in METRES or word in FEET), None)
 
 
 def is_unit(field: str) -> bool:

@@ -124,18 +124,28 @@ def _colour_at(values: np.ndarray, extra: list[int]) -> list[tuple[int, ...]]:
         return []
     candidates = [tuple(extra[:3]), tuple(extra[1:])] if len(extra) == 4 else [tuple(extra)]
     colours = [columns for columns in candidates if _looks_like_colour(values[:, columns])]
-    if len(colours) == 2:
-        # Colours have one range, and intensity often another.
-        ranges = [_range_of(values[:, columns]) for columns in colours]
-        one = [columns for columns, found in zip(colours, ranges) if found is not None]
-        return one if len(one) == 1 else colours
+    # Colours have one range, and intensity often another.
+    for have_one_range in (_have_one_depth, _were_widened, _reach_alike):
+        one = [columns for columns in colours if have_one_range(values[:, columns])]
+        if len(one) == 1 < len(colours):
+            return one
     return colours
 
 
-def _range_of(values: np.ndarray) -> Optional[int]:
-    """Return the number of bits that all three columns fit into; None if they need different ones."""
-    bits = {8 if column.max() <= 255 else 16 for column in values.T}
-    return bits.pop() if len(bits) == 1 else None
+def _have_one_depth(values: np.ndarray) -> bool:
+    """Whether all three columns fit into 8 bits, or none of them does."""
+    return len({column.max() <= 255 for column in values.T}) == 1
+
+
+def _were_widened(values: np.ndarray) -> bool:
+    """Whether all three columns are colours of 8 bits, brought to 16."""
+    return any(not np.any(values % factor) and values.max() > 255 for factor in (256, 257))
+
+
+def _reach_alike(values: np.ndarray) -> bool:
+    """Whether the largest value of no column is less than a sixteenth of that of another."""
+    largest = values.max(axis=0)
+    return bool(16 * largest.min() > largest.max())
 
 
 def _agreement(values: np.ndarray) -> float:

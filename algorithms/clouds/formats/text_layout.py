@@ -57,7 +57,8 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
-    header = read_preamble(path, lines[: numbers[0]], delimiter, width)
+    ends_empty = not any(row[-1] for row in rows)
+    header = read_preamble(path, lines[: numbers[0]], delimiter, width, ends_with_delimiter=ends_empty)
     signs = decimal_signs(path, rows, delimiter, bool(header.columns))
     dialect = Dialect(delimiter, signs[0], width, signs[1])
     values = np.array([[dialect.number(field) for field in row] for row in rows])

@@ -62,7 +62,8 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     points = [not _is_remark(line, delimiter, width) and _numbers(line, delimiter) >= 3 for line in lines]
     first = points.index(True)
     _refuse_lost_points(path, lines[:first])
-    header = read_preamble(path, lines[:first], delimiter, width, POINTS)
+    ends_empty = not any(split(line, delimiter)[-1] for line, is_point in zip(lines, points) if is_point)
+    header = read_preamble(path, lines[:first], delimiter, width, POINTS, ends_empty)
     numbered = [
         (number, line)
         for number, line in enumerate(lines[first:], start=first + 1)

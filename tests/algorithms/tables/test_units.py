@@ -44,6 +44,8 @@ def test_a_name_without_its_unit_is_the_name():
         ("# units: mm", "mm"),
         ("// Einheit = cm", "cm"),
         ("# Unité : m", "m"),
+        ("# Units: US survey feet", "feet"),
+        ("# unit:mm", "mm"),
         ("# the unit of the army", None),
     ],
 )

@@ -77,6 +77,7 @@ def test_encodings(tmp_path, encoding):
         "Name\tX\tY\tZ\nP 1\t1.5\t2.25\t3\n",
         '"x","y","z","class"\n1.5,2.25,3,wall\n',
         "class,nx,ny,nz,x,y,z\nwall,0,0,1,1.5,2.25,3\n",
+        "x;y;z\n1.5;2.25;3;\n",
     ],
 )
 def test_a_header_names_the_columns(tmp_path, text):

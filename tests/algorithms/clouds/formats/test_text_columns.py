@@ -42,6 +42,14 @@ def test_used_columns_are_coordinates_then_intensity_then_colour():
         (["1.5 2.5 3.5 25 140 38 1133", "2.5 3.5 4.5 57 221 184 663"], Columns((0, 1, 2), 6, (3, 4, 5))),
         (["1.5 2.5 3.5 1133 25 140 38", "2.5 3.5 4.5 663 57 221 184"], Columns((0, 1, 2), 3, (4, 5, 6))),
         (["1.5 2.5 3.5 25 140 38 0.25", "2.5 3.5 4.5 57 221 184 0.5"], Columns((0, 1, 2), 6, (3, 4, 5))),
+        (
+            ["1.5 2.5 3.5 514 257 51400 1133", "2.5 3.5 4.5 65535 771 257 663"],
+            Columns((0, 1, 2), 6, (3, 4, 5)),
+        ),
+        (
+            ["1.5 2.5 3.5 900 50000 41000 42", "2.5 3.5 4.5 800 60 300 30771"],
+            Columns((0, 1, 2), 3, (4, 5, 6)),
+        ),
         (["1.5 2.5 3.5 0.1 0.2 0.9", "2.5 3.5 4.5 1 0.5 0.5"], Columns((0, 1, 2), None, (3, 4, 5))),
         (["1.5 2.5 3.5 0 0 1", "2.5 3.5 4.5 0.6 0.8 0"], Columns((0, 1, 2), normals=(3, 4, 5))),
         (
@@ -99,6 +107,6 @@ def test_colours_of_the_range_of_the_intensity_are_those_that_agree(order, colum
 
 
 def test_four_columns_that_could_be_either_are_left_out_and_the_remedy_is_said():
-    columns, warnings = by_count("1.5 2.5 3.5 1 20 30 40", "2.5 3.5 4.5 5 60 70 80")
+    columns, warnings = by_count("1.5 2.5 3.5 10 20 30 40", "2.5 3.5 4.5 50 60 70 80")
     assert columns == Columns((0, 1, 2))
     assert "name the columns in a first line" in warnings[0]
