@@ -11,7 +11,7 @@ RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)
 RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu OPENBLAS_NUM_THREADS=1 \
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
-.PHONY: help setup demo test suite lint accuracy plan rooms benchmark figure2 real package test-matrix
+.PHONY: help setup demo test suite lint accuracy plan rooms lived-in ablation benchmark figure2 real package test-matrix
 .PHONY: desktop kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
@@ -92,6 +92,12 @@ plan: setup  ## Print the worst and the median plan of random scenes, rotations 
 
 rooms: setup  ## Print how well the rooms between the walls of the simulated scenes are found
 	$(RUN) -m ichnograph.benchmarks.rooms
+
+lived-in: setup  ## Print the worst and the median plan of simulated buildings in use, and their rooms
+	$(RUN) -m ichnograph.benchmarks.lived_in
+
+ablation: setup  ## Print what each idea of the plan of a storey contributes (CLOUDS=, REFERENCES=)
+	$(RUN) -m ichnograph.benchmarks.ablation $(CLOUDS) $(if $(REFERENCES),--references $(REFERENCES))
 
 benchmark: setup  ## Print how long ten million points take, and how much memory
 	$(RUN) -m ichnograph.benchmarks.speed

@@ -33,6 +33,8 @@ from .outlines import dissolved
 from .plan import PlanAgreement
 from .settings import DrawnPlanSettings
 
+JUDGED = "judged"
+
 DEMANDED, ALLOWED, NEUTRAL = ("wall", "column"), ("wall", "column", "glazing"), ("opening", "low")
 
 
@@ -91,7 +93,7 @@ def read_drawn_plan(path: Path) -> DrawnPlan:
             features = [(shape(item["geometry"]), dict(item["properties"])) for item in layer]
     except (FionaError, ValueError, TypeError) as error:
         raise InputError(f"{path} cannot be read as a layer of a drawn plan: {error}.") from error
-    if not any(properties.get("kind") == "judged" for _, properties in features):
+    if not any(properties.get("kind") == JUDGED for _, properties in features):
         raise InputError(f"{path} has no feature of the kind judged; draw the region that is to be judged.")
     return drawn_plan(features)
 
@@ -110,7 +112,7 @@ def drawn_plan(features: Sequence[tuple[BaseGeometry, Mapping[str, Any]]]) -> Dr
         demanded=MultiLineString(of(*DEMANDED)),
         allowed=MultiLineString(of(*ALLOWED)),
         neutral=MultiLineString(of(*NEUTRAL)),
-        judged=unary_union(of("judged")),
+        judged=unary_union(of(JUDGED)),
         rooms=tuple(rooms[False]),
         optional_rooms=tuple(rooms[True]),
     )

@@ -33,6 +33,8 @@ class Outlines:
     path : str or None
         The file it came from, if any.
     warnings : tuple of str
+    parts : tuple of Polygon or LineString
+        Its features one by one, also those that touch.
     """
 
     source: str
@@ -40,6 +42,7 @@ class Outlines:
     crs: Optional[CRS]
     path: Optional[str] = None
     warnings: tuple[str, ...] = ()
+    parts: tuple[BaseGeometry, ...] = ()
 
 
 def outlines_of(
@@ -88,7 +91,7 @@ def outlines_of(
     warnings = (f"Outlines of {source} that cross themselves were repaired: {repaired}.",) if repaired else ()
     # The lines that a repair leaves beside polygons were spikes.
     shape = dissolved(polygons, settings.seam_m) if polygons else MultiLineString(lines)
-    return Outlines(source, shape, crs, path, warnings)
+    return Outlines(source, shape, crs, path, warnings, tuple(polygons or lines))
 
 
 def disagreements(

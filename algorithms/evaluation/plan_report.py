@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from ..reporting.figures import COLOURS, GREY, RED
 from ..reporting.maps import Map
 from ..reporting.numbers import number
 from ..reporting.page import write_page
+from .drawn_plan import RoomAgreement
 from .plan import AGREES, MISSING, WRONG, PlanAgreement, Stretch
 
 TEMPLATE = Path(__file__).parent / "templates" / "plan.html"
@@ -27,7 +29,12 @@ FARTHEST = 3.0
 BLUE, GREEN = COLOURS[0], COLOURS[2]
 
 
-def write_plan_report(path: Path, agreement: PlanAgreement, doubts: Iterable[str] = ()) -> None:
+def write_plan_report(
+    path: Path,
+    agreement: PlanAgreement,
+    doubts: Iterable[str] = (),
+    rooms: Optional[RoomAgreement] = None,
+) -> None:
     """Write the page; `doubts` are sentences that the reader must not miss.
 
     Raises
@@ -43,6 +50,7 @@ def write_plan_report(path: Path, agreement: PlanAgreement, doubts: Iterable[str
         agreement=agreement,
         tolerance=_centimetres(agreement.tolerance),
         doubts=doubts,
+        rooms=rooms,
         map=_map(stretches),
         curves=_curves(agreement),
         shares=_shares(agreement),

@@ -154,8 +154,7 @@ def _on_faces(
         return replace(found, walls=walls, warnings=(*found.warnings, str(error))), foliage, None
     warnings = found.warnings
     if storey:
-        walls, apart = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
-        storey = replace(storey, left_out=(*storey.left_out, *apart))
+        walls = join_walls(walls, storey, found.image, density.transform, settings.storeys.joining)
         warnings += doubts(storey, settings.storeys.doubts, settings.storeys.levels)
     return replace(found, walls=walls, warnings=warnings), foliage, storey
 

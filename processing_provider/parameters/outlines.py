@@ -22,7 +22,7 @@ from ...algorithms.errors import InputError
 from .parameter import Parameter
 
 if TYPE_CHECKING:
-    from ...algorithms.evaluation.outlines import Outlines
+    from ...algorithms.evaluation.reference import Reference
 
 POLYGONS = QgsProcessing.SourceType.TypeVectorPolygon
 LINES = QgsProcessing.SourceType.TypeVectorLine
@@ -30,30 +30,79 @@ LINES = QgsProcessing.SourceType.TypeVectorLine
 
 @dataclass(frozen=True)
 class OutlineLayer(Parameter):
-    """A layer of polygons, or with `lines` one of polygons or lines."""
+    """A layer of polygons; None if it is optional and not given."""
 
-    lines: bool = False
+    optional: bool = False
 
     def _definition(self) -> QgsProcessingParameterVectorLayer:
-        kinds = [POLYGONS, LINES] if self.lines else [POLYGONS]
-        return QgsProcessingParameterVectorLayer(self.name, self.description, kinds)
+        kinds = self._kinds()
+        return QgsProcessingParameterVectorLayer(self.name, self.description, kinds, None, self.optional)
+
+    def _kinds(self) -> list[QgsProcessing.SourceType]:
+        return [POLYGONS]
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> "Outlines":
-        from ...algorithms.evaluation.outlines import outlines_of
+    ) -> Any:
+        if self.optional and not algorithm.parameterAsString(parameters, self.name, context).strip():
+            return None
+        layer = self._layer(algorithm, parameters, context)
+        return self._read(layer, f"{self.name} {layer.name()}")
 
+    def _layer(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> QgsVectorLayer:
         layer = algorithm.parameterAsVectorLayer(parameters, self.name, context)
         if layer is None or not layer.isValid():
             text = algorithm.parameterAsString(parameters, self.name, context).strip()
             given = f"{self.name} {text} cannot be read" if text else f"{self.name} is empty"
             raise InputError(f"{given}; choose a layer of polygons.")
-        return outlines_of(
-            f"{self.name} {layer.name()}", _geometries(layer), layer.crs().toWkt(), _file(layer)
-        )
+        return layer
+
+    def _read(self, layer: QgsVectorLayer, source: str) -> Any:
+        from ...algorithms.evaluation.outlines import outlines_of
+
+        return outlines_of(source, _geometries(layer), layer.crs().toWkt(), _file(layer))
 
     def sources(self, value: Any) -> list[str]:
-        return [value.path] if value.path else []
+        return [value.path] if value and value.path else []
+
+
+@dataclass(frozen=True)
+class ReferenceLayer(OutlineLayer):
+    """A layer of polygons or lines, or a plan drawn by hand, which has both."""
+
+    def _kinds(self) -> list[QgsProcessing.SourceType]:
+        return [POLYGONS, LINES]
+
+    def _read(self, layer: QgsVectorLayer, source: str) -> "Reference":
+        from ...algorithms.evaluation.reference import Reference, drawn_reference
+
+        if layer.fields().indexOf("kind") >= 0:
+            whole = _whole(layer)
+            features = [(_straight(item), item.attributeMap()) for item in whole.getFeatures()]
+            drawn = drawn_reference(source, features, _wkt(whole), _file(layer))
+            if drawn:
+                return drawn
+        return Reference(super()._read(layer, source), None)
+
+    def sources(self, value: Any) -> list[str]:
+        return super().sources(value.outlines)
+
+
+def _whole(layer: QgsVectorLayer) -> QgsVectorLayer:
+    """Return the layer of all kinds of geometry, which QGIS divides when it loads a file."""
+    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    if not parts.pop("geometryType", None):
+        return layer
+    source = QgsProviderRegistry.instance().encodeUri(layer.providerType(), parts)
+    return QgsVectorLayer(source, layer.name(), layer.providerType())
+
+
+def _wkt(layer: QgsVectorLayer) -> str:
+    """Return the coordinate reference system; empty for GeoJSON in metres, which QGIS takes for degrees."""
+    is_json = layer.dataProvider().storageType() == "GeoJSON"
+    return "" if is_json and layer.crs().isGeographic() else layer.crs().toWkt()
 
 
 def _file(layer: QgsVectorLayer) -> Optional[str]:

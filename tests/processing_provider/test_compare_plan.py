@@ -1,12 +1,14 @@
 """`compareplan`, run as scripts, models and the command line run it."""
 
+import json
+
 import fiona
 import pytest
 from ichnograph.algorithms.vector import write_vector
 from ichnograph.tests.processing_provider.models import build_model, destination, files
 from rasterio.crs import CRS
 from shapely.affinity import translate
-from shapely.geometry import LineString, box, shape
+from shapely.geometry import LineString, box, mapping, shape
 
 X, Y = 412300.0, 5812300.0
 WALLS = [box(X, Y, X + 8, Y + 0.5), box(X + 7.5, Y + 0.5, X + 8, Y + 6)]
@@ -39,6 +41,7 @@ def test_it_measures_a_plan_and_says_where_it_is_off(run, layers, tmp_path, feed
     result = run("compareplan", feedback, **layers, ERRORS=errors, REPORT=str(report))
 
     assert result["CORRECTNESS"] == 1
+    assert result["ROOMS_FOUND"] is None
     assert result["COMPLETENESS"] == pytest.approx(28 / 37, abs=0.001)
     assert result["IOU"] == pytest.approx(6.75 / 8.75, abs=0.04)
     assert 0 < result["MEDIAN_OFFSET"] <= result["P95_OFFSET"] == pytest.approx(0.02, abs=1e-3)
@@ -106,6 +109,47 @@ def test_faces_as_lines_have_no_intersection_over_union(run, layers, write, tmp_
     )
     assert result["IOU"] is None
     assert result["CORRECTNESS"] > 0.9
+
+
+def drawn_plan(path):
+    """Write a plan drawn by hand as GeoJSON in metres: two faces, a room, and a region with the first."""
+    drawn = [
+        (LineString([(X, Y), (X + 8, Y)]), "wall"),
+        (LineString([(X, Y + 20), (X + 8, Y + 20)]), "wall"),
+        (box(X, Y + 0.5, X + 7.5, Y + 6), "room"),
+        (box(X - 1, Y - 1, X + 7, Y + 7), "judged"),
+    ]
+    features = [
+        {"type": "Feature", "properties": {"kind": kind}, "geometry": mapping(geometry)}
+        for geometry, kind in drawn
+    ]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}), encoding="utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize("suffix", ["", "|geometrytype=LineString"], ids=["a file", "as QGIS loads it"])
+def test_a_plan_drawn_by_hand_brings_its_rules(run, layers, write, tmp_path, feedback, suffix):
+    from qgis.core import QgsVectorLayer
+
+    path, report = drawn_plan(tmp_path / "drawn.geojson"), tmp_path / "report.html"
+    reference = QgsVectorLayer(path + suffix, "drawn", "ogr") if suffix else path
+    rooms = write("rooms.gpkg", [box(X, Y + 0.5, X + 7.5, Y + 6), box(X, Y + 3, X + 5, Y + 6)])
+    result = run(
+        "compareplan",
+        feedback,
+        WALLS=layers["WALLS"],
+        REFERENCE=reference,
+        ROOMS=rooms,
+        TOLERANCE=0.05,
+        ERRORS=str(tmp_path / "errors.gpkg"),
+        REPORT=str(report),
+    )
+    assert result["COMPLETENESS"] == pytest.approx(1.0, abs=0.01)
+    assert (result["ROOMS_FOUND"], result["ROOMS_MISSED"], result["ROOMS_INVENTED"]) == (1, 0, 1)
+    assert "1 found, 0 missed, 1 invented" in report.read_text(encoding="utf-8")
+    assert any("drawn by hand" in info for info in feedback.infos)
+    (warning,) = feedback.warnings
+    assert "no coordinate reference system" in warning
 
 
 def test_a_plan_with_nothing_of_the_reference_has_no_offset_and_the_log_says_so(

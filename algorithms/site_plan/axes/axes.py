@@ -6,7 +6,7 @@ from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 from shapely.affinity import translate
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import LineString, Point, Polygon
 
 from ...geometry.azimuths import line_azimuth
 from ...geometry.circles import arc_through
@@ -14,6 +14,9 @@ from ...geometry.curves import Curve, Line, line_through
 from ...progress import Progress
 from .settings import AxisSettings, CentrelineSettings
 from .skeleton import Chain, skeleton_of
+
+WITHIN_M = 1e-3
+"""An axis may touch the outline of its wall up to this."""
 
 
 @dataclass(frozen=True)
@@ -108,8 +111,12 @@ def _axes_of(outline: Polygon, settings: AxisSettings) -> list[_Measured]:
     for piece in pieces:
         curves[piece.start].append(piece.curve)
         curves[piece.end].append(piece.curve)
-    junctions = {node: _meeting(where, curves[node], own.loose) for node, where in nodes.items()}
-    lines = [_drawn(piece, junctions, local, own) for piece in pieces]
+    junctions = {
+        node: _near(_meeting(where, curves[node], own.loose), where, max(skeleton.width, own.node_m), local)
+        for node, where in nodes.items()
+    }
+    body = local.buffer(WITHIN_M)
+    lines = [_inside(_drawn(piece, junctions, local, own), piece, body) for piece in pieces]
     if sum(line.length for line in lines) < own.compact * skeleton.width:
         return []
     return [
@@ -243,6 +250,32 @@ def _meeting(where: np.ndarray, curves: Sequence[Curve], loose: float) -> np.nda
             vector = vector + normal * (normal @ line.point)
         where = np.linalg.solve(matrix, vector)
     return where
+
+
+def _near(met: np.ndarray, where: np.ndarray, farthest: float, outline: Polygon) -> np.ndarray:
+    """Return where curves meet, but no farther from their junction, and inside of the wall.
+
+    Curves that are nearly parallel meet anywhere.
+    """
+    way = met - where
+    met = where + way * min(1.0, farthest / max(np.hypot(*way), 1e-9))
+    return met if outline.contains(Point(met)) else where
+
+
+def _inside(line: LineString, piece: _Piece, body: Polygon) -> LineString:
+    """Return a line, or one through the middles of the chords, so that it does not leave its wall."""
+    if body.contains(line):
+        return line
+    ends = np.asarray(line.coords)[[0, -1]]
+    through = LineString(np.concatenate([ends[:1], piece.points, ends[1:]]))
+    if body.contains(through):
+        return through.simplify(WITHIN_M)
+    parts = body.intersection(min(line, through, key=lambda one: one.difference(body).length))
+    return max(
+        (part for part in getattr(parts, "geoms", [parts]) if part.geom_type == "LineString"),
+        key=lambda part: part.length,
+        default=line,
+    )
 
 
 def _drawn(

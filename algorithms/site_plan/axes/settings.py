@@ -28,6 +28,9 @@ class CentrelineSettings:
     fan: float = judged(1.02, "Towards a corner in which a skeleton ends, chords grow by more than this.")
     one_face_m: float = physical(0.03, "A narrower outline is a face seen from one side.")
     loose: float = judged(1e-2, "Weight of where a junction was found against where the axes meet.")
+    node_m: float = judged(
+        0.05, "Axes meet within a thickness of where a junction was found; at thin walls, within this."
+    )
     jog_m: float = judged(0.01, "An axis is bent to a junction that is nearer; else it makes a step.")
     curves: CurveSettings = field(default_factory=CurveSettings)
 

@@ -1,6 +1,5 @@
 """What the user should look at in the plan of a storey, because it is much."""
 
-from .joining import APART
 from .settings import DoubtSettings, LevelSettings
 from .storey_plan import StoreyPlan
 from .walls.left_out import HANGS, LOW
@@ -12,20 +11,13 @@ def doubts(
     """Return sentences about what was left out, and where rooms end without a wall."""
     found = []
     seen = sum(sheet.length * sheet.levels * levels.level_m for sheet in plan.sheets)
-    high = [item for item in plan.left_out if item.reason not in (APART, HANGS, LOW)]
+    high = [item for item in plan.left_out if item.reason not in (HANGS, LOW)]
     area = sum(item.area for item in high)
     if area > settings.much_left_out * seen:
         found.append(
             f"{area:.0f} m² of {seen:.0f} m² of upright surface rise as high as walls, but are left out as "
             "furniture, curtains and door leaves: look through LEFT_OUT, and set STOREY to no if walls are "
             "among them."
-        )
-    apart = [item for item in plan.left_out if item.reason == APART]
-    if apart:
-        length = sum(item.line.length for item in apart)
-        found.append(
-            f"{length:.1f} m of walls stand apart from the building and are left out, as reflections or what "
-            "was seen through windows: see LEFT_OUT; set STOREY to no if they are walls."
         )
     limits = sum(line.length for line in plan.limits)
     around = sum(room.outline.length for room in plan.rooms)

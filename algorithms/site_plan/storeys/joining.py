@@ -7,7 +7,7 @@ from typing import Optional
 import numpy as np
 from affine import Affine
 from rasterio.features import rasterize
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
@@ -21,9 +21,6 @@ from ..walls.extraction import WallImage
 from ..walls.wall import Wall, band_length
 from .settings import JoiningSettings, StoreySettings
 from .storey_plan import StoreyPlan, make_storey_plan
-from .walls.left_out import LeftOut
-
-APART = "stands apart from the building: a reflection, or seen through a window"
 
 FLAT = 2
 """Cap style of buffers that end where their line ends."""
@@ -70,12 +67,9 @@ def under_roof(plan: StoreyPlan, settings: JoiningSettings) -> Optional[StoreyPl
     )
     if not rooms:
         return None
-    inhabited = unary_union([room.outline for room in rooms])
-    # A roof without a room is a canopy, or the reflection of a ceiling.
-    roof = unary_union([part for part in polygons_of(plan.region) if part.intersects(inhabited)])
-    near = roof.buffer(settings.wall_reach_m)
+    near = plan.region.buffer(settings.wall_reach_m)
     walls = tuple(wall for wall in plan.walls if wall.outline.intersects(near))
-    covered = [roof, *(room.outline for room in rooms), *(wall.outline for wall in walls)]
+    covered = [plan.region, *(room.outline for room in rooms), *(wall.outline for wall in walls)]
     return replace(
         plan,
         rooms=rooms,
@@ -88,10 +82,8 @@ def under_roof(plan: StoreyPlan, settings: JoiningSettings) -> Optional[StoreyPl
 
 def join_walls(
     walls: Sequence[Wall], storey: StoreyPlan, image: WallImage, transform: Affine, settings: JoiningSettings
-) -> tuple[tuple[Wall, ...], tuple[LeftOut, ...]]:
+) -> tuple[Wall, ...]:
     """Return the walls of a storey, and what lies outside of its region of the walls of the density image.
-
-    With them comes what was left out because it stands apart from the building.
 
     Parameters
     ----------
@@ -105,7 +97,6 @@ def join_walls(
     settings : JoiningSettings
     """
     outside = [part for wall in walls for part in _outside(wall, storey.region, settings)]
-    outside, apart = _standing_apart(outside, storey, settings)
     outside += _columns(walls, storey, settings)
     measured = _measured([wall.outline for wall in storey.walls], image, transform)
     inside = [
@@ -126,8 +117,7 @@ def join_walls(
         )
         for wall, (density, votes) in zip(storey.walls, measured)
     ]
-    joined = (replace(wall, wall_id=number) for number, wall in enumerate([*inside, *outside], start=1))
-    return tuple(joined), tuple(_left_out(wall) for wall in apart)
+    return tuple(replace(wall, wall_id=number) for number, wall in enumerate([*inside, *outside], start=1))
 
 
 def join_rooms(found: Sequence[Room], storey: StoreyPlan, settings: JoiningSettings) -> tuple[Room, ...]:
@@ -166,15 +156,6 @@ def _outside(wall: Wall, region: BaseGeometry, settings: JoiningSettings) -> lis
     ]
 
 
-def _left_out(wall: Wall) -> LeftOut:
-    """Return a wall of the density image as a surface that was left out."""
-    a, b, c, d = np.asarray(wall.outline.minimum_rotated_rectangle.exterior.coords)[:4]
-    ends = (
-        [(a + d) / 2, (b + c) / 2] if np.hypot(*(b - a)) > np.hypot(*(c - b)) else [(a + b) / 2, (c + d) / 2]
-    )
-    return LeftOut(LineString(ends), APART, wall.length * (wall.height or 0.0))
-
-
 def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSettings) -> list[Wall]:
     """Return the free-standing columns of the density image that stand in rooms of a storey.
 
@@ -194,24 +175,6 @@ def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSetting
         and rooms.contains(wall.outline)
         and not taken.intersects(wall.outline)
     ]
-
-
-def _standing_apart(
-    outside: Sequence[Wall], storey: StoreyPlan, settings: JoiningSettings
-) -> tuple[list[Wall], list[Wall]]:
-    """Part the walls in the open from those that stand apart from the building, if these are few.
-
-    Mirrors and windows put pieces of walls around a building that was scanned from inside. Ruins around a
-    roofed building are more.
-    """
-    near = [storey.region, *(wall.outline for wall in outside)]
-    groups = polygons_of(unary_union([outline.buffer(settings.apart_m / 2) for outline in near]))
-    home = unary_union([group for group in groups if group.intersects(storey.region)])
-    apart = [wall for wall in outside if not wall.outline.intersects(home)]
-    most = settings.apart_share * sum(band_length(wall.outline) for wall in storey.walls)
-    if sum(wall.length for wall in apart) > most:
-        return list(outside), []
-    return [wall for wall in outside if wall.outline.intersects(home)], apart
 
 
 def _measured(

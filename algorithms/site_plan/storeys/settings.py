@@ -230,12 +230,6 @@ class JoiningSettings:
     column_coverage: float = judged(0.4, "Two of the four sides of a column are seen from one station.")
     column_levels: float = judged(12.0, "Furniture and railings fill fewer levels.")
     column_face_m: float = physical(0.05, "The outline of pixels lies so near to the faces of a column.")
-    apart_m: float = judged(
-        0.5, "Beyond the margin: the walls of yards and annexes join their building, or nearly."
-    )
-    apart_share: float = judged(
-        0.2, "Walls apart that are longer than this share of the building's are no reflections."
-    )
     own_share: float = judged(0.5, "A closed space belongs to the side on which most of it lies.")
 
 

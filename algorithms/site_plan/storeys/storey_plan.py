@@ -14,7 +14,15 @@ from ...progress import Progress
 from .division.division import Division, divide
 from .division.outlines import parts_of, sound, united
 from .evidence.footprint import Footprint, find_footprint
-from .evidence.levels import Frame, Storey, Uprights, find_storey, find_uprights, frame_around
+from .evidence.levels import (
+    Frame,
+    Storey,
+    Uprights,
+    find_storey,
+    find_uprights,
+    frame_around,
+    with_measured_ceiling,
+)
 from .evidence.regular import share_lines, square_up
 from .evidence.roof import near_roof, roofed
 from .evidence.sheets import Sheet, find_sheets
@@ -125,7 +133,7 @@ def make_storey_plan(
         left_out=tuple(_left_out(division, sheets, walls, along, settings)),
         sheets=tuple(sheets),
         region=roofed(footprint, settings.roof),
-        storey=storey,
+        storey=with_measured_ceiling(storey, voxels, settings.levels),
         spacing_m=voxels.spacing_m,
         noise_m=voxels.noise_m,
     )

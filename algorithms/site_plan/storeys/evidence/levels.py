@@ -1,6 +1,6 @@
 """Floor, ceiling and upright surfaces of a storey, by pixel."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
@@ -76,7 +76,8 @@ class Storey:
     floor : float
         Height of the floor.
     ceiling : float or None
-        Height of the lowest large ceiling; None if none was seen.
+        Height of the lowest large ceiling, of the lower edge of its layer as long as that is not measured;
+        None if none was seen.
     """
 
     floor: float
@@ -100,6 +101,17 @@ def find_storey(voxels: Voxels, settings: LevelSettings = LevelSettings()) -> Op
     above = (first + large) * layer
     above = above[above > floor + settings.lowest_storey_m]
     return Storey(floor, float(above[0]) if len(above) else None)
+
+
+def with_measured_ceiling(
+    storey: Storey, voxels: Voxels, settings: LevelSettings = LevelSettings()
+) -> Storey:
+    """Return a storey with the usual height of the two layers that its ceiling was found in."""
+    if storey.ceiling is None:
+        return storey
+    z = voxels.xyz[np.abs(voxels.normal[:, 2]) > settings.flat, 2]
+    z = z[np.abs(z - storey.ceiling - settings.layer_m) <= settings.layer_m]
+    return replace(storey, ceiling=float(np.median(z))) if len(z) else storey
 
 
 def find_uprights(

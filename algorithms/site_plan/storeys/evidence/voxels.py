@@ -1,6 +1,8 @@
 """Voxels of a cloud: one mean point each, with the normal of the surface around it."""
 
+import os
 from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +16,9 @@ HALF_RANGE = 1 << 20
 """Voxels on each side of the local origin that a key can hold: 20 km at 2 cm."""
 
 BITS = 21
+
+PART = 1 << 16
+"""Voxels whose normals one thread finds at a time."""
 
 
 @dataclass(frozen=True)
@@ -77,14 +82,31 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
 def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
     keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
+    added: list[tuple[np.ndarray, np.ndarray]] = []
     for chunk in chunks:
         if len(chunk):
             index = np.floor(chunk / edge)
             # Sums of what is left of the voxel's corner are small, so that four bytes hold them.
             left = np.column_stack([chunk - index * edge, np.ones(len(chunk))]).astype(np.float32)
-            added = _reduced(_packed(index), left)
-            keys, sums = _reduced(np.concatenate([keys, added[0]]), np.concatenate([sums, added[1]]))
+            added.append(_reduced(_packed(index), left))
+        # Adding only as much as there is already sorts every voxel a few times, not once a chunk.
+        if sum(len(more) for more, _ in added) > len(keys):
+            keys, sums = _added(keys, sums, added)
+            added.clear()
+    keys, sums = _added(keys, sums, added)
     return _unpacked(keys) * edge + sums[:, :3].astype(float) / np.maximum(sums[:, 3:], 1)
+
+
+def _added(
+    keys: np.ndarray, sums: np.ndarray, added: list[tuple[np.ndarray, np.ndarray]]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Add keys and their sums to those that there are."""
+    if not added:
+        return keys, sums
+    return _reduced(
+        np.concatenate([keys, *(more for more, _ in added)]),
+        np.concatenate([sums, *(more for _, more in added)]),
+    )
 
 
 def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
@@ -150,7 +172,15 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
     buckets = _packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
-    normal, thickness = _fit_planes(xyz[order], buckets[order], radius, fewest)
+    normal = np.zeros((len(xyz), 3), np.float32)
+    thickness = np.full(len(xyz), np.inf, np.float32)
+    arrays = xyz[order], buckets[order]
+
+    def fit(part: slice) -> None:
+        _fit_planes(*arrays, normal[part], thickness[part], part.start, radius, fewest)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(fit, (slice(start, start + PART) for start in range(0, len(xyz), PART))))
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
@@ -158,16 +188,23 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
 
 @kernel
 def _fit_planes(
-    xyz: np.ndarray, buckets: np.ndarray, radius: float, fewest: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Fit a plane to what lies within the radius of each point; buckets are sorted, as wide as the radius."""
-    count = len(xyz)
-    normal = np.zeros((count, 3), np.float32)
-    thickness = np.full(count, np.inf, np.float32)
+    xyz: np.ndarray,
+    buckets: np.ndarray,
+    normal: np.ndarray,
+    thickness: np.ndarray,
+    start: int,
+    radius: float,
+    fewest: int,
+) -> None:
+    """Fit planes to what lies within the radius of points from `start` on, as many as `normal` has rows.
+
+    Buckets are sorted, as wide as the radius.
+    """
     reach = radius * radius
     starts, ends = np.zeros(9, np.int64), np.zeros(9, np.int64)
     last = np.int64(-1)
-    for i in range(count):
+    for row in range(len(normal)):
+        i = start + row
         if buckets[i] != last:
             last = buckets[i]
             _find_around(buckets, last, starts, ends)
@@ -192,9 +229,8 @@ def _fit_planes(
         sx, sy, sz = sx / n, sy / n, sz / n
         sxx, sxy, sxz = sxx / n - sx * sx, sxy / n - sx * sy, sxz / n - sx * sz
         syy, syz, szz = syy / n - sy * sy, syz / n - sy * sz, szz / n - sz * sz
-        smallest = _thinnest(sxx, sxy, sxz, syy, syz, szz, normal[i])
-        thickness[i] = np.sqrt(max(smallest, 0.0))
-    return normal, thickness
+        smallest = _thinnest(sxx, sxy, sxz, syy, syz, szz, normal[row])
+        thickness[row] = np.sqrt(max(smallest, 0.0))
 
 
 @kernel

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.axes.axes import find_axes
 from shapely.affinity import rotate, translate
@@ -137,3 +137,26 @@ def test_axes_turn_and_move_with_the_wall(angle, east, north, stem_cm, thickness
     for corner in [(0, 0), (stem, 0), (8, 0), (8, 5), (stem, -4)]:
         assert np.linalg.norm(found - corner, axis=1).min() < 0.01
     assert len(back) == 4
+
+
+def area_outside(axes, outline):
+    """Return the area between the axes and their wall, of strips of 2 mm along the axes."""
+    strips = unary_union([axis.line.buffer(0.001, cap_style=2) for axis in axes])
+    return strips.difference(outline.buffer(0.003)).area
+
+
+@settings(max_examples=20, deadline=None)
+@given(start=st.floats(1, 2), width=st.floats(0.2, 1.0), depth=st.floats(0.1, 0.5))
+@example(start=1.935, width=0.918, depth=0.1011)
+def test_axes_never_leave_their_walls(start, width, depth):
+    # One face was seen, with a pier before it: where the lines of the pieces meet is outside.
+    outline = unary_union([box(0, 0, 4, 0.025), box(start, 0, start + width, depth)])
+    axes = axes_of(outline)
+    assert axes
+    assert area_outside(axes, outline) == 0.0
+
+
+def test_nearly_parallel_axes_meet_where_the_wall_bends():
+    outline = wall((0, 0), (4, 0), (8, 0.3), thickness=0.3)
+    for x, y in ends(axes_of(outline)):
+        assert min(np.hypot(x - a, y - b) for a, b in [(0, 0), (4, 0), (8, 0.3)]) < 0.35

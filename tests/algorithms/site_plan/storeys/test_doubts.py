@@ -6,7 +6,6 @@ import numpy as np
 from ichnograph.algorithms.site_plan.storeys.doubts import doubts
 from ichnograph.algorithms.site_plan.storeys.evidence.levels import Storey
 from ichnograph.algorithms.site_plan.storeys.evidence.sheets import Sheet
-from ichnograph.algorithms.site_plan.storeys.joining import APART
 from ichnograph.algorithms.site_plan.storeys.rooms.room_cells import Room
 from ichnograph.algorithms.site_plan.storeys.storey_plan import StoreyPlan
 from ichnograph.algorithms.site_plan.storeys.walls.left_out import CLOSE, HANGS, LOW, LeftOut
@@ -35,11 +34,6 @@ def test_much_that_is_as_high_as_walls_is_a_warning():
 
 def test_what_is_low_or_hangs_is_surely_no_wall():
     assert doubts(plan_of(LeftOut(LINE, LOW, 20.0), LeftOut(LINE, HANGS, 10.0))) == ()
-
-
-def test_walls_apart_from_the_building_are_never_left_out_silently():
-    (found,) = doubts(plan_of(LeftOut(LINE, APART, 1.0)))
-    assert found.startswith("2.0 m of walls stand apart")
 
 
 def test_rooms_that_end_without_a_wall_are_a_warning():

@@ -77,7 +77,7 @@ def image_of(*walls):
 
 
 def joined(walls, storey, image=image_of()):
-    return join_walls(walls, storey, image, GRID, JOINING)[0]
+    return join_walls(walls, storey, image, GRID, JOINING)
 
 
 def test_rooms_and_walls_under_the_roof_are_kept_and_those_in_the_open_are_not():
@@ -157,32 +157,6 @@ def test_a_column_seen_from_two_sides_is_kept_in_a_room_if_it_is_higher_than_fur
 def test_pixels_without_a_sheet_are_no_column():
     column, _ = column_of(1.0, 1.0, 24.0)
     assert joined([column], under_roof(storey_of(), JOINING)) == ()
-
-
-AROUND = [box(0, -0.2, 4, 0), box(4, 0, 4.2, 3), box(0, 3, 4, 3.2), box(-0.2, 0, 0, 3)]
-
-
-def test_what_stands_apart_from_a_building_is_left_out_with_the_reason():
-    storey = under_roof(storey_of(walls=AROUND), JOINING)
-    image = site_wall(1, box(7, 0, 9, 0.2))
-    walls, (apart,) = join_walls([image], storey, image_of(), GRID, JOINING)
-    assert len(walls) == 4
-    assert apart.reason.startswith("stands apart")
-    assert apart.line.bounds == pytest.approx((7, 0.1, 9, 0.1))
-
-
-def test_walls_apart_that_are_long_are_ruins_and_those_that_join_the_building_a_yard():
-    storey = under_roof(storey_of(walls=AROUND), JOINING)
-    ruin = [site_wall(1, box(7, 0, 17, 0.2))]
-    yard = [site_wall(1, box(4.5, 3, 6.5, 3.2)), site_wall(2, box(6.3, 3.2, 6.5, 3.8))]
-    assert len(joined(ruin, storey)) == 5
-    assert len(joined(yard, storey)) == 6
-
-
-def test_a_roof_without_a_room_is_in_the_open():
-    reflected = box(8, 0, 10, 3)
-    found = under_roof(storey_of(region=unary_union([HOUSE, reflected])), JOINING)
-    assert not found.region.intersects(reflected)
 
 
 def test_density_and_votes_are_those_of_the_pixels_and_null_where_there_are_none():

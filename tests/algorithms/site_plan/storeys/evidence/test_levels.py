@@ -5,10 +5,12 @@ import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.site_plan.storeys.evidence.levels import (
     Frame,
+    Storey,
     count_levels,
     find_storey,
     find_uprights,
     frame_around,
+    with_measured_ceiling,
 )
 from ichnograph.algorithms.site_plan.storeys.evidence.voxels import Voxels
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, upright
@@ -30,6 +32,13 @@ def test_the_floor_is_the_lowest_large_layer_and_the_ceiling_the_next():
     assert storey.floor == pytest.approx(3.12, abs=1e-6)
     # The ceiling is known to two of the layers that it is looked for in.
     assert storey.ceiling == pytest.approx(5.72, abs=0.1)
+
+
+def test_the_ceiling_is_measured_in_its_layers():
+    voxels = voxels_of(*((flat(0, 0, 2, 2, z), UP) for z in (3.12, 5.72, 5.9)))
+    storey = with_measured_ceiling(find_storey(voxels), voxels)
+    assert storey.ceiling == pytest.approx(5.72, abs=1e-6)
+    assert with_measured_ceiling(Storey(3.12, None), voxels).ceiling is None
 
 
 def test_a_small_pit_and_a_table_are_not_the_floor():

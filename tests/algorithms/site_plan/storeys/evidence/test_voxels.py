@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.site_plan.storeys.evidence.voxels import make_voxels
+from ichnograph.algorithms.site_plan.storeys.evidence.voxels import PART, make_voxels
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, room, scanned, upright
 
 
@@ -42,3 +42,24 @@ def test_reflections_far_away_are_left_out():
 def test_nothing_gives_nothing():
     assert len(make_voxels([]).xyz) == 0
     assert len(make_voxels([np.zeros((0, 3)), np.zeros((1, 3))]).xyz) == 1
+
+
+def test_any_division_into_chunks_gives_the_same_voxels():
+    points = scanned(room(0, 0, 2, 2))
+    whole = make_voxels([points])
+    shuffled = np.random.default_rng(1).permutation(points)
+    for chunks in (np.array_split(points, 40), np.array_split(shuffled, 40), [points[:0], points]):
+        parts = make_voxels(chunks)
+        assert parts.xyz == pytest.approx(whole.xyz, abs=1e-6)
+        assert np.abs(parts.normal) == pytest.approx(np.abs(whole.normal), abs=1e-3)
+
+
+def test_voxels_beyond_the_first_part_have_their_own_normals():
+    # Threads find the normals in parts.
+    voxels = make_voxels([room(0, 0, 5, 4, spacing=0.02)])
+    assert len(voxels.xyz) > 2 * PART
+    x, y, z = voxels.xyz.T
+    inside = (x > 0.3) & (x < 4.7) & (y > 0.3) & (y < 3.7)
+    assert np.abs(voxels.normal[inside, 2]).min() > 0.999
+    west = (x < 0.01) & (y > 0.3) & (y < 3.7) & (z > 0.3) & (z < 2.3)
+    assert np.abs(voxels.normal[west, 0]).min() > 0.999
