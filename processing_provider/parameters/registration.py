@@ -68,8 +68,8 @@ TOLERANCE = Number(
 MAX_STD = Number(
     "MAX_STD",
     "Largest standard deviation of a scan without a warning",
-    "A scan whose targets are less accurate after the adjustment is registered with a warning, for example at "
-    "the end of a chain of scans. If not set, it is ten times SIGMA.",
+    "A scan whose targets are less accurate after the adjustment is registered with a warning, as at the end "
+    "of a chain of scans. If not set, it is ten times SIGMA.",
     unit="m",
     minimum=0.000001,
     maximum=100,
