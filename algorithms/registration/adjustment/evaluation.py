@@ -165,7 +165,7 @@ class Evaluation:
         return Correspondence(
             target=name,
             control=network.names[point],
-            surveyed=not network.origins[point],
+            surveyed=not network.sources[point],
             used=used,
             position=block.points[point] + self.frames.control,
             residual=pose.rotated(target)[0] + (pose.position - block.points[point]),
@@ -200,12 +200,12 @@ class Evaluation:
             position = pose.apply(xyz)[0]
             covariance = design @ block.pose_cofactors[number] @ design.T + np.eye(3) * settings.sigma**2
         elif not network.origins[row] and not seen:
-            covariance = np.eye(3) * settings.control_sigma**2
+            covariance = np.eye(3) * network.sigmas[row] ** 2
         return ControlPoint(
             name=network.names[row],
             position=position + self.frames.control,
             covariance=covariance,
-            origin=network.origins[row] or "surveyed",
+            origin=network.sources[row] or "surveyed",
             scans=tuple(placed[number].scan.name for number, _ in seen),
         )
 
