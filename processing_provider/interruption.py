@@ -69,7 +69,12 @@ def compilation_announced(announce: Callable[[str], None]) -> Iterator[None]:
     ----------
     announce : callable(str)
     """
-    from numba.core import event
+    try:
+        from numba.core import event
+    except ImportError:
+        # Without numba, nothing is compiled.
+        yield
+        return
 
     class Listener(event.Listener):
         announced = False
