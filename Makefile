@@ -145,6 +145,9 @@ facade-peers: setup  ## Print how long a facade takes, and how planes and outlin
 sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
 
+cancel: setup  ## Print how long a cancel takes, and the longest time without progress, for every algorithm
+	$(RUN) -m ichnograph.benchmarks.cancel
+
 kills: setup  ## Print what runs leave that are killed while they write
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.kills
 

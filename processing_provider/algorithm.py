@@ -25,6 +25,7 @@ from ..algorithms.files import Outputs, new_folder
 from ..algorithms.staging import recover
 from .dependencies import ALL, explain_broken, explain_missing, lacking
 from .help import help_of
+from .interruption import compilation_announced, interruptible
 from .labels import with_labels
 from .layers import reopen_layers
 from .log import Log
@@ -159,7 +160,7 @@ class Algorithm(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        with self._plain_errors():
+        with self._plain_errors(), interruptible(feedback.isCanceled):
             # Only the desktop calls canExecute.
             missing = lacking(self.needs)
             if missing:
@@ -176,11 +177,11 @@ class Algorithm(QgsProcessingAlgorithm):
                 recover(path.parent)
                 recover(path)
             wanted = {output.name: files.get(output) for output in self.destinations}
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), compilation_announced(log.info):
                 # Of packages to their developers; QGIS would show them to the user.
                 warnings.simplefilter("ignore", DeprecationWarning)
                 outcome = self.compute({**values, **wanted}, log)
-            styles = _write(files, outcome, sources, self._labels())
+            styles = _write(files, outcome, sources, log, self._labels())
         focus = [str(path) for output, path in files.items() if output.focus]
         show_when_loaded(styles, focus, context)
         self._layers = [str(path) for path in styles]
@@ -232,7 +233,7 @@ class Algorithm(QgsProcessingAlgorithm):
 
 
 def _write(
-    files: dict[Destination, Path], outcome: Outcome, sources: list[str], labels: Mapping[str, str]
+    files: dict[Destination, Path], outcome: Outcome, sources: list[str], log: Log, labels: Mapping[str, str]
 ) -> dict[Path, str]:
     """Write all files with their styles, or none of them; return the styles by path."""
     styles = {}
@@ -252,6 +253,7 @@ def _write(
             stack.enter_context(new_folder(path.parent))
         outputs = stack.enter_context(Outputs())
         for output, path, write in jobs:
+            log.progress.update(1.0, f"Writing {path.name}")
             with outputs.staged(path) as temporary:
                 try:
                     write(temporary)

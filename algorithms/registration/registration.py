@@ -48,7 +48,7 @@ def register_scans(
     near = {scan.name: reduced(scan) for scan in scans}
     own, origin = reduced(control)
     frames = Frames(origin, {name: start for name, (_, start) in near.items()})
-    network = ControlNetwork.of_surveyed(own.names, own.xyz, settings.control_sigma)
+    network = ControlNetwork.of_list(own, settings.control_sigma)
     lists = {name: scan for name, (scan, _) in near.items()}
     sequence = register_in_sequence(lists, network, settings, progress.part(0.0, 0.9))
     registration = Registration(
@@ -58,7 +58,7 @@ def register_scans(
         points=(),
         test=GlobalTest(0.0, 0.0, float("nan"), float("nan")),
         crs=control.crs,
-        warnings=(*control.warnings, *_coincident(network, settings)),
+        warnings=(*control.warnings, *_appended_before(network), *_coincident(network, settings)),
     )
     if not sequence.placed:
         return replace(registration, scans=tuple(refused_scan(scan, sequence) for scan in scans))
@@ -96,7 +96,25 @@ def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
     origin = np.round(points.xyz.mean(axis=0))
     order = np.lexsort(points.xyz.T[::-1])
     names = tuple(points.names[row] for row in order)
-    return replace(points, names=names, xyz=points.xyz[order] - origin), origin
+    return replace(
+        points,
+        names=names,
+        xyz=points.xyz[order] - origin,
+        origins=tuple(points.origins[row] for row in order) if points.origins else (),
+        stds=None if points.stds is None else points.stds[order],
+    ), origin
+
+
+def _appended_before(network: ControlNetwork) -> list[str]:
+    """Say which control points were not surveyed."""
+    scans = sorted({source for source in network.sources if source})
+    if not scans:
+        return []
+    count = sum(bool(source) for source in network.sources)
+    return [
+        f"{count} control points were appended by an earlier registration ({', '.join(scans)}); they count "
+        "with their standard deviations, as if these were independent."
+    ]
 
 
 def _coincident(network: ControlNetwork, settings: Settings) -> list[str]:

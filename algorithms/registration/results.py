@@ -132,6 +132,9 @@ class ScanRegistration:
         From the scan to the control frame.
     scale : float or None
     estimates : tuple of Estimate
+    std : float or None
+        The largest standard deviation that the transformation gives a target of the scan, in any direction,
+        metres.
     correlations : ndarray, shape (u, u)
         Of the estimates, in their order.
     correspondences : tuple of Correspondence
@@ -158,6 +161,7 @@ class ScanRegistration:
     matrix: Optional[np.ndarray] = None
     scale: Optional[float] = None
     estimates: tuple[Estimate, ...] = ()
+    std: Optional[float] = None
     correlations: Optional[np.ndarray] = None
     correspondences: tuple[Correspondence, ...] = ()
     unmatched: tuple[str, ...] = ()

@@ -63,6 +63,8 @@ class Settings:
     tolerance : float or None
         Largest difference of two distances that match (the paper's eps_t), metres; None derives it from the
         standard deviations.
+    most_std : float or None
+        A scan with a larger standard deviation is warned of, metres; None is `std_factor` times `sigma`.
     lists : ListSettings
     matches : MatchingSettings
     adjustment : AdjustmentSettings
@@ -74,6 +76,7 @@ class Settings:
     sigma: float = 0.003
     control_sigma: float = 0.0
     tolerance: Optional[float] = None
+    most_std: Optional[float] = None
     lists: ListSettings = field(default=ListSettings())
     matches: MatchingSettings = field(default=MatchingSettings())
     adjustment: AdjustmentSettings = field(default=AdjustmentSettings())
@@ -88,6 +91,11 @@ class Settings:
     def free_scale(self) -> bool:
         """Whether the scale may be any, not only near 1: if unknown, or if names identify the points."""
         return self.model is Model.UNKNOWN_SCALE or (self.named and self.model.scaled)
+
+    @property
+    def std_limit(self) -> float:
+        """The standard deviation from which on a scan is warned of, metres."""
+        return self.adjustment.std_factor * self.sigma if self.most_std is None else self.most_std
 
     @property
     def distance_factor(self) -> float:

@@ -13,6 +13,7 @@ from ..parameters.registration import (
     CONTROL_SIGMA,
     CRS,
     MATCHING,
+    MAX_STD,
     MODEL,
     SIGMA,
     TARGETS,
@@ -52,7 +53,7 @@ class RegisterScansAlgorithm(Algorithm):
         "tls",
     )
     needs = FOR_LAYERS
-    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS)
+    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS, MAX_STD)
     destinations = (
         JsonDestination(
             "TRANSFORMS",
@@ -142,5 +143,6 @@ def _line(scan: "ScanRegistration", sigma0: float) -> str:
     chance = "" if scan.chance is None else f", {scan.chance:.1g} accidental matches expected"
     return (
         f"{scan.name}: {len(used)} of {scan.targets} targets matched, sigma0 {sigma0:.2f}, "
-        f"longest residual {longest:.1f} mm{chance}."
+        f"longest residual {longest:.1f} mm, standard deviation up to "
+        f"{1000 * (scan.std or 0.0):.1f} mm{chance}."
     )

@@ -65,6 +65,17 @@ TOLERANCE = Number(
     decimals=4,
 )
 
+MAX_STD = Number(
+    "MAX_STD",
+    "Largest standard deviation of a scan without a warning",
+    "A scan whose targets are less accurate after the adjustment is registered with a warning, as at the end "
+    "of a chain of scans. If not set, it is ten times SIGMA.",
+    unit="m",
+    minimum=0.000001,
+    maximum=100,
+    decimals=4,
+)
+
 MODEL = Choice(
     "MODEL",
     "Transformation",
@@ -96,6 +107,7 @@ def settings_of(values: dict[str, Any]) -> "Settings":
         sigma=values["SIGMA"],
         control_sigma=values["CONTROL_SIGMA"],
         tolerance=values["TOLERANCE"],
+        most_std=values["MAX_STD"],
     )
 
 

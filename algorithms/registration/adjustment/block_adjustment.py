@@ -80,7 +80,7 @@ def _adjusted(
         sequence.network.surveyed,
         settings.model,
         settings.sigma,
-        settings.control_sigma,
+        sequence.network.sigmas,
         settings.adjustment,
     )
     tests = tuple(_test_of(item, settings) for item in block.targets)

@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..lists.point_list import PointList
+
 
 @dataclass(frozen=True)
 class ControlNetwork:
@@ -22,8 +24,10 @@ class ControlNetwork:
         Near the origin.
     origins : tuple of str
         The scan that a point comes from; empty if surveyed.
-    control_sigma : float
-        Standard deviation of a surveyed coordinate.
+    sources : tuple of str
+        The same, also of points that an earlier registration appended.
+    sigmas : ndarray, shape (p,)
+        Standard deviations of the coordinates of given points; 0 of appended ones, which have covariances.
     loose : ndarray of int, shape (q,)
         The points whose errors are correlated with others'.
     covariance : ndarray, shape (3 q, 3 q)
@@ -34,7 +38,8 @@ class ControlNetwork:
     labels: tuple[str, ...]
     points: np.ndarray
     origins: tuple[str, ...]
-    control_sigma: float
+    sources: tuple[str, ...]
+    sigmas: np.ndarray
     loose: np.ndarray
     covariance: np.ndarray
 
@@ -43,17 +48,44 @@ class ControlNetwork:
         cls, names: tuple[str, ...], points: np.ndarray, control_sigma: float
     ) -> "ControlNetwork":
         """Return a network without appended points."""
-        nothing = np.zeros((0, 0))
-        return cls(names, names, points, ("",) * len(names), control_sigma, np.zeros(0, int), nothing)
+        nothing, blank = np.zeros((0, 0)), ("",) * len(names)
+        sigmas = np.full(len(names), control_sigma)
+        return cls(names, names, points, blank, blank, sigmas, np.zeros(0, int), nothing)
+
+    @classmethod
+    def of_list(cls, control: PointList, control_sigma: float) -> "ControlNetwork":
+        """Return the network of a list; what an earlier registration appended keeps its standard deviation.
+
+        Parameters
+        ----------
+        control : PointList
+            Near the origin.
+        control_sigma : float
+            Standard deviation of a surveyed coordinate, metres.
+        """
+        network = cls.of_surveyed(control.names, control.xyz, control_sigma)
+        if not control.origins or control.stds is None:
+            return network
+        known = np.array([bool(origin) for origin in control.origins]) & np.isfinite(control.stds)
+        prefixes = [f"{origin}:" if origin else "" for origin in control.origins]
+        return replace(
+            network,
+            sources=control.origins,
+            labels=tuple(
+                name[len(prefix) :] if name.startswith(prefix) else name
+                for name, prefix in zip(control.names, prefixes)
+            ),
+            sigmas=np.where(known, control.stds, network.sigmas),
+        )
 
     @property
     def surveyed(self) -> np.ndarray:
-        """Which points were surveyed, bool of shape (p,)."""
+        """Which points are given, bool of shape (p,): surveyed, or appended by an earlier registration."""
         return np.array([not origin for origin in self.origins])
 
     def distance_variances(self) -> np.ndarray:
         """Return the variances of the distances between all points, shape (p, p)."""
-        alone = np.where(self.surveyed, self.control_sigma**2, 0.0)
+        alone = self.sigmas**2
         variances = alone[:, None] + alone[None, :]
         count = len(self.loose)
         if not count:
@@ -76,12 +108,13 @@ class ControlNetwork:
     def with_correlated(self, points: np.ndarray) -> "ControlNetwork":
         """Return the network with `points` among the loose ones, if they are not held fixed."""
         fresh = np.setdiff1d(points, self.loose)
-        if not self.control_sigma or not len(fresh):
+        fresh = fresh[self.sigmas[fresh] > 0]
+        if not len(fresh):
             return self
         old = len(self.covariance)
         covariance = np.zeros((old + 3 * len(fresh),) * 2)
         covariance[:old, :old] = self.covariance
-        covariance[old:, old:] = np.eye(3 * len(fresh)) * self.control_sigma**2
+        covariance[old:, old:] = np.diag(np.repeat(self.sigmas[fresh] ** 2, 3))
         return replace(self, loose=np.r_[self.loose, fresh], covariance=covariance)
 
     def covariance_with_loose(self, points: np.ndarray) -> np.ndarray:
@@ -138,6 +171,8 @@ class ControlNetwork:
             labels=self.labels + targets,
             points=np.concatenate([self.points, points]),
             origins=self.origins + (scan,) * len(targets),
+            sources=self.sources + (scan,) * len(targets),
+            sigmas=np.r_[self.sigmas, np.zeros(len(targets))],
             loose=np.r_[self.loose, count + np.arange(len(targets))],
             covariance=np.block([[self.covariance, with_loose.T], [with_loose, covariance]]),
         )

@@ -103,6 +103,7 @@ class Evaluation:
         correspondences = self._correspondences(scan, number)
         matched = {item.target for item in correspondences}
         test = self.adjusted.tests[number]
+        std = self._std(placed.scan.xyz, number)
         of_scale = scale_test(placed.scan.xyz[used], placed.labels[used], number, self.adjusted, settings)
         return ScanRegistration(
             name=scan.name,
@@ -115,6 +116,7 @@ class Evaluation:
                 Estimate(name, value, float(deviation))
                 for (name, value), deviation in zip(values, deviations)
             ),
+            std=std,
             correlations=divided(covariance, np.outer(deviations, deviations)),
             correspondences=correspondences,
             unmatched=tuple(name for name in scan.names if name not in matched),
@@ -127,8 +129,19 @@ class Evaluation:
                 *placed.match.warnings,
                 *_misjudged_sigma(scan.name, test, settings),
                 *_missing_scale(scan.name, of_scale, settings),
+                *_inaccurate(scan.name, std, settings),
             ),
         )
+
+    def _std(self, targets: np.ndarray, number: int) -> float:
+        """Return the largest standard deviation of a transformed target in any direction, metres.
+
+        A small sigma0 of few redundant observations does not make it smaller.
+        """
+        block = self.adjusted.block
+        design = parameter_design(block.poses[number].rotated(targets), self.settings.model)
+        covariances = design @ block.pose_cofactors[number] @ np.swapaxes(design, 1, 2)
+        return max(self._spread, 1.0) * float(np.sqrt(np.linalg.eigvalsh(covariances)[:, -1].max()))
 
     def _correspondences(self, scan: PointList, number: int) -> tuple[Correspondence, ...]:
         rows = {name: row for row, name in enumerate(self.sequence.placed[number].scan.names)}
@@ -152,7 +165,7 @@ class Evaluation:
         return Correspondence(
             target=name,
             control=network.names[point],
-            surveyed=not network.origins[point],
+            surveyed=not network.sources[point],
             used=used,
             position=block.points[point] + self.frames.control,
             residual=pose.rotated(target)[0] + (pose.position - block.points[point]),
@@ -187,12 +200,12 @@ class Evaluation:
             position = pose.apply(xyz)[0]
             covariance = design @ block.pose_cofactors[number] @ design.T + np.eye(3) * settings.sigma**2
         elif not network.origins[row] and not seen:
-            covariance = np.eye(3) * settings.control_sigma**2
+            covariance = np.eye(3) * network.sigmas[row] ** 2
         return ControlPoint(
             name=network.names[row],
             position=position + self.frames.control,
             covariance=covariance,
-            origin=network.origins[row] or "surveyed",
+            origin=network.sources[row] or "surveyed",
             scans=tuple(placed[number].scan.name for number, _ in seen),
         )
 
@@ -205,6 +218,16 @@ def _misjudged_sigma(name: str, test: GlobalTest, settings: Settings) -> list[st
         f"The residuals of {name} are {test.sigma0:.1f} times as large as SIGMA suggests (chi-square "
         f"probability {test.probability:.1g}); look for wrong targets, or set SIGMA to "
         f"{test.sigma0 * settings.sigma:.2g}."
+    ]
+
+
+def _inaccurate(name: str, std: float, settings: Settings) -> list[str]:
+    """Warn of a scan whose position is uncertain, as at the end of a chain."""
+    if std <= settings.std_limit:
+        return []
+    return [
+        f"The targets of {name} have standard deviations of up to {1000 * std:.0f} mm, more than the limit "
+        f"of {1000 * settings.std_limit:.0f} mm; survey control points in it, or connect it to more scans."
     ]
 
 

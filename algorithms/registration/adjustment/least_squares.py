@@ -7,6 +7,7 @@ which are then observed as well. The normal equations are set up about the centr
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Union
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
@@ -102,7 +103,7 @@ def adjust(
     surveyed: np.ndarray,
     model: Model,
     sigma: float,
-    control_sigma: float = 0.0,
+    control_sigma: Union[float, np.ndarray] = 0.0,
     settings: AdjustmentSettings = AdjustmentSettings(),
 ) -> Block:
     """Adjust scans to their control points.
@@ -115,14 +116,17 @@ def adjust(
         Control points; start values of those that were not surveyed, which at least two scans see.
     surveyed : ndarray of bool, shape (p,)
     model : Model
-    sigma, control_sigma : float
-        A priori standard deviations of the coordinates of targets and of surveyed points, metres.
+    sigma : float
+        A priori standard deviation of the coordinates of targets, metres.
+    control_sigma : float or ndarray, shape (p,)
+        The same of surveyed points; 0 where held fixed.
     settings : AdjustmentSettings
     """
-    loose = np.ones(len(points), bool) if control_sigma > 0 else ~surveyed
+    sigmas = np.broadcast_to(control_sigma, len(points))
+    loose = (sigmas > 0) | ~surveyed
     seen = np.zeros(len(points), bool)
     seen[np.concatenate([item.points for item in sightings])] = True
-    system = _System(sightings, points, surveyed & seen, loose & seen, model, sigma, control_sigma)
+    system = _System(sightings, points, surveyed & seen, loose & seen, model, sigma, sigmas)
     return system.solved(settings)
 
 
@@ -137,10 +141,9 @@ class _System:
         loose: np.ndarray,
         model: Model,
         sigma: float,
-        control_sigma: float,
+        control_sigmas: np.ndarray,
     ) -> None:
         self.sightings, self.given, self.model = sightings, points, model
-        self.sigma, self.control_sigma = sigma, control_sigma
         self.loose = np.flatnonzero(loose)
         self.observed = np.flatnonzero(surveyed & loose)
         self.pose_unknowns = model.unknowns * len(sightings)
@@ -148,7 +151,7 @@ class _System:
         self.first[self.loose] = self.pose_unknowns + 3 * np.arange(len(self.loose))
         self.unknowns = self.pose_unknowns + 3 * len(self.loose)
         rows = [np.full(3 * len(item.points), sigma) for item in sightings]
-        self.sigmas = np.concatenate([*rows, np.full(3 * len(self.observed), control_sigma)])
+        self.sigmas = np.concatenate([*rows, np.repeat(control_sigmas[self.observed], 3)])
 
     def solved(self, settings: AdjustmentSettings) -> Block:
         start = [item.pose for item in self.sightings], self.given

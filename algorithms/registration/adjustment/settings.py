@@ -88,3 +88,8 @@ class AdjustmentSettings:
     iteration: IterationSettings = IterationSettings()
     scale_test: ScaleTestSettings = ScaleTestSettings()
     layout: LayoutSettings = LayoutSettings()
+    std_factor: float = judged(
+        10.0,
+        "A scan is warned of if its targets are this many times less accurate than a picked target, as at "
+        "the end of a long chain.",
+    )

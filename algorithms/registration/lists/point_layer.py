@@ -21,6 +21,12 @@ Attributes = dict[str, Any]
 Feature = tuple[Optional[tuple[float, ...]], Attributes]
 """Coordinates, None if they are not those of a single point, and attributes by field, None for null."""
 
+STDS = ("sx", "sy", "sz")
+CONTROL_OUT = {"name", "origin", "seen_by", *STDS}
+"""Fields by which the control points of an earlier registration are known."""
+
+SURVEYED = "surveyed"
+
 SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
 
 
@@ -77,7 +83,17 @@ def read_features(
         )
     names = _names(source, attributes)
     places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
-    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source), warnings)
+    origins, stds = _appended(attributes)
+    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source), warnings, origins, stds)
+
+
+def _appended(attributes: list[Attributes]) -> tuple[tuple[str, ...], Optional[np.ndarray]]:
+    """Return origins and standard deviations of points, if the layer is a CONTROL_OUT of a registration."""
+    if not CONTROL_OUT.issubset(attributes[0]):
+        return (), None
+    origins = tuple(_text(values["origin"]) for values in attributes)
+    squares = np.array([[_number(values[field]) ** 2 for field in STDS] for values in attributes])
+    return tuple("" if origin == SURVEYED else origin for origin in origins), np.sqrt(squares.mean(axis=1))
 
 
 @contextmanager

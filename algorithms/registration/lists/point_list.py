@@ -36,6 +36,11 @@ class PointList:
         What the user should know about the file, in sentences.
     path : Path or None
         The file it was read from, if any.
+    origins : tuple of str
+        The scan that each point comes from, if an earlier registration appended it; empty if surveyed. Empty
+        for lists that do not say so.
+    stds : ndarray of float64, shape (n,), or None
+        Standard deviations of a coordinate, metres, where the list has them, else nan.
     """
 
     name: str
@@ -45,6 +50,8 @@ class PointList:
     crs: Optional[CRS] = None
     warnings: tuple[str, ...] = ()
     path: Optional[Path] = None
+    origins: tuple[str, ...] = ()
+    stds: Optional[np.ndarray] = None
 
 
 def read_point_list(
@@ -115,6 +122,8 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         crs=rows.crs,
         warnings=rows.warnings + merged,
         path=path,
+        origins=tuple(rows.origins[row] for row in kept) if rows.origins else (),
+        stds=None if rows.stds is None else rows.stds[kept],
     )
 
 

@@ -22,6 +22,11 @@ class Rows:
     xyz : ndarray of float64, shape (n, 3)
         Metres, finite.
     crs : CRS or None
+    origins : tuple of str
+        The scans that the points come from, if an earlier registration appended them to its control points;
+        empty texts for others, and nothing if the file does not say so.
+    stds : ndarray of float64, shape (n,), or None
+        Standard deviations of a coordinate, metres, if the file has them; nan where unknown.
     warnings : tuple of str
     """
 
@@ -31,3 +36,5 @@ class Rows:
     xyz: np.ndarray
     crs: Optional[CRS] = None
     warnings: tuple[str, ...] = ()
+    origins: tuple[str, ...] = ()
+    stds: Optional[np.ndarray] = None

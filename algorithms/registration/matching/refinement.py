@@ -29,8 +29,9 @@ def refined(
     labels = np.full(len(space.targets), -1)
     labels[mine] = theirs
     barred = np.zeros(labels.shape, bool)
-    for _ in range(space.settings.matches.search.most_changes * len(labels)):
-        progress.check()
+    most = space.settings.matches.search.most_changes * len(labels)
+    for change in range(most):
+        progress.update(change / most)
         added = _added(space, labels, barred)
         removed = None if added else _removed(space, labels, progress)
         if added:

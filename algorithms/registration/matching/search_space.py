@@ -1,15 +1,18 @@
 """The targets and the control points that a search matches."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 from scipy.spatial.distance import cdist
 
+from ...progress import Progress
 from ..adjustment.target_layout import spread
 from ..settings import Model, Settings
 from .control_points import ControlPoints
 from .matching_matrix import MatchingMatrix, matching_matrix, pruned
+
+LINES = 2000
+"""Lines through two targets that are compared with all targets at once; their arrays fit into the cache."""
 
 
 @dataclass(frozen=True)
@@ -55,34 +58,40 @@ class SearchSpace:
             return self.model
         return Model.LEVELLED if self.model.levelled else Model.RIGID
 
-    def matrix(self, least: int) -> MatchingMatrix:
+    def matrix(self, least: int, progress: Progress = Progress()) -> MatchingMatrix:
         """Return the matching matrix, without nodes that fit no solution of `least` targets."""
-        whole = matching_matrix(self.control, self.targets, self.allowed, self.model.levelled)
-        return pruned(whole, len(self.targets), least)
+        search = self.settings.matches.search
+        levelled = self.model.levelled
+        matrix = matching_matrix(self.control, self.targets, self.allowed, levelled, search, progress)
+        # The degrees of nodes are not known unless all targets are there.
+        whole = matrix.targets == len(self.targets)
+        return pruned(matrix, len(self.targets), least, progress) if whole else matrix
 
-    def reordered(self, least: int) -> "SearchSpace":
+    def reordered(self, matrix: MatchingMatrix) -> "SearchSpace":
         """Return the space with the targets first that have few edges in the matching matrix.
 
         Their seeds are tried quickly, and a solution that they lead to ends the search.
         """
-        matrix = self.matrix(least)
         nodes = np.r_[matrix.starts, matrix.ends]
         edges = np.bincount(nodes // len(self.control.points), minlength=len(self.targets))
         order = np.argsort(edges, kind="stable")
         return replace(self, order=order, targets=self.targets[order], allowed=self.allowed[order])
 
-    @cached_property
-    def longest_line(self) -> int:
-        """The largest number of targets on a line, vertical if levelled; they fix no pose."""
+    def longest_line(self, progress: Progress = Progress()) -> int:
+        """Return the largest number of targets on a line, vertical if levelled; they fix no pose."""
         near = 2 * self.width
         if self.model.levelled:
             return int((cdist(self.targets[:, :2], self.targets[:, :2]) <= near).sum(axis=1).max())
         first, second = np.triu_indices(len(self.targets), 1)
         along = self.targets[second] - self.targets[first]
         along /= np.maximum(np.linalg.norm(along, axis=1), np.finfo(float).tiny)[:, None]
-        arms = self.targets[None, :, :] - self.targets[first][:, None, :]
-        square = (arms**2).sum(axis=2) - np.einsum("pnk,pk->pn", arms, along) ** 2
-        return int((square <= near**2).sum(axis=1).max(initial=1))
+        longest = 1
+        for rows in np.array_split(np.arange(len(first)), len(first) // LINES + 1):
+            progress.check()
+            arms = self.targets[None, :, :] - self.targets[first[rows]][:, None, :]
+            square = (arms**2).sum(axis=2) - np.einsum("pnk,pk->pn", arms, along[rows]) ** 2
+            longest = max(longest, int((square <= near**2).sum(axis=1).max(initial=1)))
+        return longest
 
 
 def search_space(

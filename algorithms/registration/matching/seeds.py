@@ -1,27 +1,36 @@
 """Seeds: the smallest sets of matches that fix a pose, target by target."""
 
 from collections.abc import Iterator
+from typing import Optional
 
 import numpy as np
 
 from ...progress import Progress
 from ..adjustment.similarity import Pose
-from .matching_matrix import seeds
+from .matching_matrix import MatchingMatrix, seeds
 from .pose_uncertainty import leverage, scale_shift
 from .search_space import SearchSpace
 from .similar_triangles import SimilarTriangles, named_seeds
 
 
 def seed_sets(
-    space: SearchSpace, least: int, progress: Progress = Progress()
+    space: SearchSpace, matrix: Optional[MatchingMatrix], progress: Progress = Progress()
 ) -> Iterator[tuple[int, np.ndarray]]:
-    """Yield, target by target, the sets of nodes that fix a pose and end with it; maybe in several parts."""
-    if space.settings.free_scale:
+    """Yield, target by target, the sets of nodes that fix a pose and end with it, in parts.
+
+    Parameters
+    ----------
+    space : SearchSpace
+    matrix : MatchingMatrix or None
+        None if the scale is unknown.
+    progress : Progress
+    """
+    if matrix is None:
         yield from _seeds_of_any_scale(space, progress)
         return
-    matrix = space.matrix(least)
-    for last in range(space.size - 1, len(space.targets)):
-        yield last, seeds(matrix, last, space.model)
+    for last in range(space.size - 1, matrix.targets):
+        for nodes in seeds(matrix, last, space.model):
+            yield last, nodes
 
 
 def _seeds_of_any_scale(space: SearchSpace, progress: Progress) -> Iterator[tuple[int, np.ndarray]]:

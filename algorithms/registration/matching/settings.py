@@ -63,6 +63,9 @@ class SearchSettings:
         "Targets that are placed at once by the poses of seeds, a fifth of a second; so soon a search can be "
         "cancelled.",
     )
+    most_edges: int = physical(
+        4_000_000, "Edges of the matching matrix, which fit into 200 MB; only regular layouts have more."
+    )
     most_placed: int = physical(
         10_000_000,
         "Targets that a search places in all, about a quarter of a minute. Only many outliers and an unknown "

@@ -6,15 +6,20 @@ on a line do not fix a pose, so that as many more are taken as the longest line 
 """
 
 from collections.abc import Iterator
+from typing import Optional
 
 import numpy as np
 
 from ...progress import Progress
 from ..adjustment.similarity import fit_pose
+from .matching_matrix import MatchingMatrix
 from .refinement import refined
 from .search_space import SearchSpace
 from .seeds import are_wide, matched_at_most, seed_sets
 from .solution import Solution, Solutions, enough, with_solution
+
+REFINED = 50
+"""Comparisons of a target with a point take so many times less time than placing a target."""
 
 
 def find_solutions(space: SearchSpace, least: int, progress: Progress = Progress()) -> Solutions:
@@ -44,28 +49,37 @@ def find_solutions(space: SearchSpace, least: int, progress: Progress = Progress
         return Solutions()
     search = space.settings.matches.search
     solutions: list[Solution] = []
-    complete, placed, count = True, 0, len(space.targets)
-    in_line = space.longest_line
-    if not space.settings.free_scale:
-        space = space.reordered(least)
-    for last, nodes in _batches(space, least, progress):
-        if last > count - enough(solutions, least, search) + in_line:
+    placed, count, points = 0, len(space.targets), len(space.control.points)
+    in_line = space.longest_line(progress)
+    matrix = None if space.settings.free_scale else space.matrix(least, progress)
+    complete = matrix is None or matrix.targets == count
+    if matrix is not None and complete:
+        space = space.reordered(matrix)
+        matrix = space.matrix(least, progress)
+    for last, nodes in _batches(space, matrix, progress):
+        wanted = enough(solutions, least, search)
+        if last > count - wanted + in_line or wanted > min(count, points):
+            complete = True
             break
         if placed > search.most_placed:
             complete = False
             break
         share = max(last / count, placed / search.most_placed)
-        solutions, seeds = _extended(space, nodes, least, solutions, progress.part(share, share))
-        # Refining a seed compares all targets with all points several times.
-        placed += (len(nodes) + seeds * len(space.control.points)) * count
+        solutions, refinements = _extended(
+            space, nodes, least, solutions, progress.part(share, share + 1 / count)
+        )
+        # To refine a seed, all targets are compared with all points, nearly once for each target.
+        placed += len(nodes) * count + refinements * points * count * max(count // REFINED, 1)
     order = sorted(solutions, key=lambda item: (-item.matched, round(item.misfit, 6), item.labels.tolist()))
     return Solutions(tuple(order), complete)
 
 
-def _batches(space: SearchSpace, least: int, progress: Progress) -> Iterator[tuple[int, np.ndarray]]:
+def _batches(
+    space: SearchSpace, matrix: Optional[MatchingMatrix], progress: Progress
+) -> Iterator[tuple[int, np.ndarray]]:
     """Yield the seeds target by target, in parts that are tried at once."""
     size = max(space.settings.matches.search.batch_size // len(space.targets), 1)
-    for last, nodes in seed_sets(space, least, progress):
+    for last, nodes in seed_sets(space, matrix, progress):
         progress.check()
         for start in range(0, len(nodes), size):
             yield last, nodes[start : start + size]
@@ -94,7 +108,7 @@ def _extended(
         scores[_within(space, solution, mine, theirs)] = 0
     refinements = 0
     while len(scores):
-        progress.update(0.0)
+        progress.check()
         top = int(scores.argmax())
         if scores[top] < enough(solutions, least, search):
             break

@@ -77,6 +77,8 @@ def _matched(scan: ScanRegistration) -> str:
     ]
     if scan.chance is not None:
         sentences.append(f"Expected accidental matches of so many targets: {scan.chance:.1g}.")
+    if scan.std is not None:
+        sentences.append(f"Largest standard deviation at a target: {number(1000 * scan.std, 1)} mm.")
     if scan.unmatched:
         sentences.append(f"Appended to the control points: {', '.join(scan.unmatched)}.")
     return " ".join(sentences)

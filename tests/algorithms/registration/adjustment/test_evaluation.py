@@ -88,3 +88,32 @@ def test_a_surveyed_point_that_no_scan_sees_has_its_own_standard_deviation():
 
     assert points[8].scans == ()
     assert np.diag(points[8].covariance) == pytest.approx([4e-6] * 3)
+
+
+def chain(count):
+    """Return the lists of scans along a corridor, of which only the first sees the control points."""
+    random = np.random.default_rng(4)
+    joints = [random.uniform((12 * number, 0, 0), (12 * number + 3, 3, 3), (4, 3)) for number in range(count)]
+    scans = []
+    for number in range(count):
+        places = np.concatenate([HALL if number == 0 else joints[number - 1], joints[number]])
+        scans.append(listed(f"s{number}", scanned(places, 50 * number, noise=0.003, seed=number)[0]))
+    return scans
+
+
+def test_the_end_of_a_chain_is_warned_of_and_its_beginning_is_not():
+    control = listed("control", HALL, prefix="P")
+    scans = register_scans(control, chain(5)).scans
+
+    assert all(scan.registered for scan in scans)
+    assert scans[0].std < 0.006 < 0.03 < scans[-1].std
+    assert not any("standard deviations of up to" in warning for warning in scans[0].warnings)
+    (warning,) = (item for item in scans[-1].warnings if "standard deviations of up to" in item)
+    assert "more than the limit of 30 mm" in warning
+
+
+def test_the_limit_of_the_standard_deviation_is_the_users():
+    control = listed("control", HALL, prefix="P")
+    scans = register_scans(control, chain(5), Settings(most_std=2.0)).scans
+
+    assert not any("standard deviations of up to" in warning for scan in scans for warning in scan.warnings)

@@ -49,7 +49,8 @@ def test_a_wrong_target_of_the_seed_is_removed_again():
 
 def test_the_order_of_the_list_comes_back():
     targets = scanned(HALL)[0][[3, 1, 0, 2, 7, 6, 5, 4]]
-    whole = space(HALL, targets).reordered(3)
+    whole = space(HALL, targets)
+    whole = whole.reordered(whole.matrix(3))
     seed = np.array([0, 1, 2])
     points = np.array([3, 1, 0, 2, 7, 6, 5, 4])[whole.order[seed]]
 

@@ -27,14 +27,14 @@ def test_where_the_scale_is_unknown_the_width_is_a_share_of_the_extent():
     [(LINE, Model.RIGID, 4), (HALL, Model.RIGID, 2), (POLE, Model.LEVELLED, 3), (LINE, Model.LEVELLED, 1)],
 )
 def test_the_longest_line_counts_its_targets(targets, model, longest):
-    assert space(HALL, targets, Settings(model=model, sigma=0.001)).longest_line == longest
+    assert space(HALL, targets, Settings(model=model, sigma=0.001)).longest_line() == longest
 
 
 def test_targets_with_few_edges_come_first_and_the_order_is_kept():
     # The last target is far from everything, so that none of its distances occurs.
     targets = np.concatenate([scanned(HALL)[0], [[90.0, 10.0, 3.0]]])[::-1]
     before = space(HALL, targets)
-    after = before.reordered(3)
+    after = before.reordered(before.matrix(3))
 
     assert after.order[0] == 0
     assert np.array_equal(after.targets, targets[after.order])

@@ -18,9 +18,8 @@ def test_the_true_seeds_are_among_them(model, matching):
     targets = scanned(HALL, scale=scale)[0]
     allowed = np.eye(COUNT, dtype=bool) if matching is Matching.NAMES else None
     found = space(HALL, targets, Settings(matching=matching, model=model), allowed)
-    seeds = {
-        tuple(sorted(seed)) for _, nodes in seed_sets(found, model.least_targets) for seed in nodes.tolist()
-    }
+    matrix = None if found.settings.free_scale else found.matrix(model.least_targets)
+    seeds = {tuple(sorted(seed)) for _, nodes in seed_sets(found, matrix) for seed in nodes.tolist()}
     own = [row * COUNT + row for row in range(COUNT)]
 
     assert tuple(own[: model.least_targets]) in seeds

@@ -5,13 +5,17 @@ from dataclasses import replace
 import fiona
 import numpy as np
 import pytest
+from ichnograph.algorithms.registration.lists.point_list import read_point_list
 from ichnograph.algorithms.registration.output.layers import (
     RESIDUAL_FIELDS,
     semi_axes,
     write_control,
     write_residuals,
 )
+from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.results import ControlPoint
+from ichnograph.algorithms.registration.settings import Matching, Settings
+from ichnograph.tests.algorithms.registration.hall import ANNEX, HALL, labels, listed, scanned, several_scans
 from ichnograph.tests.algorithms.registration.made_registrations import (
     CORNER,
     correspondence,
@@ -149,3 +153,35 @@ def test_an_ellipsoid_holds_the_stated_share_of_errors():
 
     assert inside.mean() == pytest.approx(0.95, abs=0.01)
     assert np.isnan(semi_axes(np.full((3, 3), np.nan))).all()
+
+
+@pytest.mark.parametrize("suffix", [".gpkg", ".shp"])
+def test_control_out_given_again_as_control_knows_its_appended_points(tmp_path, suffix):
+    scans = {name: listed(name, xyz) for name, (xyz, _) in several_scans().items()}
+    first = register_scans(listed("control", HALL, prefix="P"), [scans["a"]])
+    write_control(first, tmp_path / f"control{suffix}")
+    control = read_point_list(tmp_path / f"control{suffix}")
+    again = register_scans(control, [scans["b"]])
+
+    assert control.names == tuple(point.name for point in first.points)
+    assert [point.origin for point in again.points[: len(control.names)]] == [
+        point.origin for point in first.points
+    ]
+    (scan,) = again.scans
+    used = [item for item in scan.correspondences if item.used]
+    assert used and not any(item.surveyed for item in used)
+    assert all(np.trace(point.covariance) > 0 for point in again.points if point.origin == "a")
+    assert any("appended by an earlier registration (a)" in warning for warning in again.warnings)
+    fixed = register_scans(replace(control, origins=(), stds=None), [scans["b"]]).scans[0]
+    assert scan.std > fixed.std, "the points count with their standard deviations"
+
+
+def test_by_names_an_appended_point_has_the_name_of_its_target(tmp_path):
+    (xyz, _), named = several_scans()["a"], Settings(matching=Matching.NAMES)
+    names = [f"P{row}" for row in range(1, 9)] + [f"T{row}" for row in range(1, len(ANNEX) + 1)]
+    first = register_scans(listed("control", HALL, prefix="P"), [listed("a", xyz, names)], named)
+    write_control(first, tmp_path / "control.gpkg")
+    later = listed("b", scanned(ANNEX)[0], names[8:])
+    (scan,) = register_scans(read_point_list(tmp_path / "control.gpkg"), [later], named).scans
+
+    assert labels(scan) == {name: f"a:{name}" for name in names[8:]}
