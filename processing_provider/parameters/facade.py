@@ -1,6 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
-from .parameter import Flag, Number
+from .parameter import Choice, Flag, Number
 
 DISTANCE = Number(
     "DISTANCE",
@@ -12,6 +12,16 @@ DISTANCE = Number(
     default=0.05,
     minimum=0.001,
     maximum=10,
+)
+
+SIDE = Choice(
+    "SIDE",
+    "Side of the facade",
+    "The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic "
+    "uses the position of the scanner where the files state it, otherwise what is seen through the openings. "
+    "The log says which side was taken, why, and how certain that is.",
+    options=("Automatic", "Facing east (azimuth 0 to 180)", "Facing west (azimuth 180 to 360)"),
+    advanced=True,
 )
 
 MIN_POINTS = Number(
@@ -148,8 +158,8 @@ MIN_AREA = Number(
 REGULARISE = Flag(
     "REGULARISE",
     "Rectangles and arches",
-    "Outlines become level and plumb rectangles or arches where the points agree with such a shape. All "
-    "other outlines follow the points. If off, all outlines follow the points.",
+    "Outlines become level and plumb rectangles, arches or circles where the points agree with such a shape. "
+    "All other outlines follow the points. If off, all outlines follow the points.",
     default=True,
 )
 
@@ -173,6 +183,7 @@ FILL_HOLES = Flag(
 
 SETTINGS = {
     "distance_m": DISTANCE,
+    "side": SIDE,
     "seed_radius_m": SEED_RADIUS,
     "seed_colour": SEED_COLOUR,
     "seed_variance": SEED_VARIANCE,

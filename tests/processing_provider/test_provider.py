@@ -74,7 +74,9 @@ CONTRACT = {
         {"SEGMENTS", "PLANES", "PLANE_COUNT"},
     ),
     "facadedetails": (
-        {"INPUT", "CRS", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"} | {*FACADE} | FACADE_FILES,
+        {"INPUT", "CRS", "SIDE", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"}
+        | {*FACADE}
+        | FACADE_FILES,
         {"DETAIL_COUNT", "WALL_AREA", "SCHEDULE_PAGE"} | FACADE_FILES,
     ),
     "comparelengths": (
