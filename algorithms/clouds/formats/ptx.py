@@ -63,7 +63,9 @@ class PtxSource(Source):
         try:
             encoding = _encoding(path)
             blocks = _blocks(path, encoding, settings.sample_points)
-            first, doubt = next(((cells, doubt) for cells, _, _, doubt in blocks if len(cells)), (None, ""))
+            first, doubt = next(
+                ((cells, doubt) for cells, _, _, doubt, _ in blocks if len(cells)), (None, "")
+            )
             if first is None:
                 raise no_points(path)
             width = first.shape[1]
