@@ -75,7 +75,7 @@ def test_the_scans_of_an_e57_are_distinguished(tmp_path):
 
 def test_scanners_stand_where_the_poses_of_their_scans_say(tmp_path):
     cells = np.random.default_rng(0).uniform(1, 2, (10, 4))
-    moved = np.array([[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [7.0, 8.0, 9.0, 1]])
+    moved = np.array([[0, -1, 0, 7.0], [1, 0, 0, 8.0], [0, 0, 1, 9.0], [0, 0, 0, 1]])
     points = read_points(open_cloud([write_ptx(tmp_path / "a.ptx", (cells, moved), cells)]))
 
     np.testing.assert_allclose(points.stations[0] + points.origin, (7, 8, 9))
