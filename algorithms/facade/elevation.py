@@ -1,6 +1,6 @@
 """The results of the facade chapter and of its steps. Lengths are in metres, angles in degrees."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Optional
 
 import numpy as np
@@ -61,6 +61,16 @@ class Points:
     intensity: Optional[np.ndarray]
     scan: np.ndarray
     stations: Optional[np.ndarray] = None
+
+    def subset(self, rows: np.ndarray) -> "Points":
+        """Return some of the points, by their rows."""
+        return replace(
+            self,
+            xyz=self.xyz[rows],
+            rgb=None if self.rgb is None else self.rgb[rows],
+            intensity=None if self.intensity is None else self.intensity[rows],
+            scan=self.scan[rows],
+        )
 
 
 @dataclass(frozen=True)

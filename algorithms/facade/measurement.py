@@ -12,7 +12,7 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
-from .elevation import PROJECTION, Detail, Elevation, Frame, Points, Segmentation, WallPart, frame_of
+from .elevation import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation, WallPart, frame_of
 from .openings.content import fill_regions
 from .openings.regions import find_regions
 from .openings.states import States, make_states
@@ -36,7 +36,10 @@ MILLIMETRES = 3
 
 
 def measure_facade(
-    points: Points, settings: FacadeSettings = FacadeSettings(), progress: Progress = Progress()
+    points: Points,
+    settings: FacadeSettings = FacadeSettings(),
+    progress: Progress = Progress(),
+    wanted: Optional[Plane] = None,
 ) -> Elevation:
     """Find the planes of a facade, and measure the details of the main one.
 
@@ -45,6 +48,8 @@ def measure_facade(
     points : Points
     settings : FacadeSettings
     progress : Progress
+    wanted : Plane, optional
+        About the main plane of the facade; the largest upright plane is taken if not given.
 
     Raises
     ------
@@ -52,7 +57,7 @@ def measure_facade(
         If there is no upright plane.
     """
     segmentation = find_planes(
-        points, settings.distance_m, settings.planes, progress.part(0.0, 0.2), settings.side
+        points, settings.distance_m, settings.planes, progress.part(0.0, 0.2), settings.side, wanted
     )
     frame = frame_of(segmentation.planes[0], points.origin)
     scene = Scene(frame.local(points.xyz, points.origin), segmentation.labels)

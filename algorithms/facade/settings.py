@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 from ..settings import judged, physical
+from .buildings.settings import BuildingSettings
 from .colour.settings import ColourSettings
 from .openings.settings import OpeningSettings
 from .outlines.settings import OutlineSettings
@@ -95,6 +96,7 @@ class FacadeSettings:
     side: int = 0
     row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
     thinning: ThinningSettings = field(default_factory=ThinningSettings)
+    buildings: BuildingSettings = field(default_factory=BuildingSettings)
     planes: PlaneSettings = field(default_factory=PlaneSettings)
     openings: OpeningSettings = field(default_factory=OpeningSettings)
     colour: ColourSettings = field(default_factory=ColourSettings)

@@ -1,6 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
-from .parameter import Choice, Flag, Number
+from .parameter import Choice, Flag, Number, Place
 
 DISTANCE = Number(
     "DISTANCE",
@@ -14,6 +14,25 @@ DISTANCE = Number(
     maximum=10,
 )
 
+FACADE = Number(
+    "FACADE",
+    "Number of the facade",
+    "Which facade of a building or a street is measured. 0 takes the one that most points see from the "
+    "stations, or that most points lie on if no position of a scanner is known. The report lists all with "
+    "their numbers.",
+    unit="0: the one most seen",
+    default=0,
+    minimum=0,
+    maximum=10_000,
+    whole=True,
+)
+
+FACADE_NEAR = Place(
+    "FACADE_NEAR",
+    "Point near the facade",
+    "Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.",
+)
+
 SIDE = Choice(
     "SIDE",
     "Side of the facade",
@@ -21,7 +40,7 @@ SIDE = Choice(
     "uses the position of the scanner where the files state it, otherwise what is seen through the openings. "
     "The log says which side was taken, why, and how certain that is.",
     options=("Automatic", "Facing east (azimuth 0 to 180)", "Facing west (azimuth 180 to 360)"),
-    advanced=True,
+    optional=True,
 )
 
 MIN_POINTS = Number(

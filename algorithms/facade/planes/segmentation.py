@@ -25,6 +25,7 @@ def find_planes(
     settings: PlaneSettings = PlaneSettings(),
     progress: Progress = Progress(),
     side: int = AUTOMATIC,
+    wanted: Optional[Plane] = None,
 ) -> Segmentation:
     """Find the main plane of a facade and the secondary planes on it, and assign the points.
 
@@ -40,32 +41,38 @@ def find_planes(
     progress : Progress
     side : int
         SIDE: `AUTOMATIC`, `EAST` or `WEST`.
+    wanted : Plane, optional
+        About the main plane, if it is not to be the largest one.
 
     Raises
     ------
     NothingFoundError
         If there is no upright plane.
     """
-    axes = _axes_of_facade(points.xyz, distance, settings)
+    axes = _axes_of_facade(points.xyz, distance, settings, wanted)
     progress.update(0.3)
     if side != AUTOMATIC and (axes[1, 0] > 0) != (side == EAST):
         axes[:2] = -axes[:2]
     scanners = None if points.stations is None else (points.stations @ axes.T)[points.scan]
-    found = _in_frame(points.xyz @ axes.T, scanners, side == AUTOMATIC, distance, settings, progress)
+    if wanted is not None:
+        wanted = replace(wanted, normal=axes @ wanted.normal, centre=axes @ wanted.centre)
+    found = _in_frame(points.xyz @ axes.T, scanners, side == AUTOMATIC, distance, settings, progress, wanted)
     planes = tuple(
         replace(plane, normal=plane.normal @ axes, centre=plane.centre @ axes) for plane in found.planes
     )
     return replace(found, planes=planes)
 
 
-def _axes_of_facade(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> np.ndarray:
+def _axes_of_facade(
+    xyz: np.ndarray, distance: float, settings: PlaneSettings, wanted: Optional[Plane]
+) -> np.ndarray:
     """Return x along the main plane, y at right angles to it and z up, as rows, shape (3, 3).
 
     Cubes along the wall are the same in every orientation of the site, and so are the planes.
     """
     coarse = settings.coarse * distance
     patches = extract(make_voxels(xyz, coarse, settings.voxels), distance, settings)
-    main = _largest_upright(patches, xyz, distance, settings)
+    main = _largest_upright(patches, xyz, distance, settings, wanted)
     near = xyz[np.abs(main.heights(xyz)) <= coarse]
     normal, anchor = refit(
         near, main.normal, main.anchor, settings.fit.vote * distance, settings=settings.fit
@@ -79,13 +86,25 @@ def _axes_of_facade(xyz: np.ndarray, distance: float, settings: PlaneSettings) -
 
 
 def _largest_upright(
-    patches: list[Patch], xyz: np.ndarray, distance: float, settings: PlaneSettings
+    patches: list[Patch],
+    xyz: np.ndarray,
+    distance: float,
+    settings: PlaneSettings,
+    wanted: Optional[Plane] = None,
 ) -> Patch:
     steepest = np.sin(np.radians(settings.upright_deg))
     upright = [patch for patch in patches if abs(patch.normal[2]) < steepest]
     if not upright:
         raise NothingFoundError(_nothing(xyz, distance, settings))
-    return max(upright, key=lambda patch: patch.area)
+    alike = [patch for patch in upright if wanted is not None and _is_alike(patch, wanted, settings)]
+    return max(alike or upright, key=lambda patch: patch.area)
+
+
+def _is_alike(patch: Patch, wanted: Plane, settings: PlaneSettings) -> bool:
+    """Whether a plane lies and faces about as a wanted one does."""
+    facing = abs(patch.normal @ wanted.normal) > np.cos(np.radians(settings.alike_deg))
+    away = np.median(wanted.distances(patch.centres_of_squares()))
+    return bool(facing and abs(away) <= settings.alike_m)
 
 
 def _in_frame(
@@ -95,11 +114,12 @@ def _in_frame(
     distance: float,
     settings: PlaneSettings,
     progress: Progress,
+    wanted: Optional[Plane],
 ) -> Segmentation:
     voxels = make_voxels(xyz, distance, settings.voxels)
     progress.update(0.4, f"{len(xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m.")
     every = extract(voxels, distance, settings)
-    main = _largest_upright(every, xyz, distance, settings)
+    main = _largest_upright(every, xyz, distance, settings, wanted)
     main = main if main.normal[1] > 0 else main.flipped()
     side = _side(main, xyz, scanners, distance, settings) if automatic else Side(1, 1.0, "SIDE says so")
     main = main if side.sign > 0 else main.flipped()

@@ -104,6 +104,8 @@ class PlaneSettings:
     facing_deg: float = judged(
         60.0, "Planes at a larger angle to the main one belong to its returns or side walls."
     )
+    alike_deg: float = judged(10.0, "A wall that was found before faces this nearly the same way.")
+    alike_m: float = judged(0.3, "A wall that was found before lies this near; its inner face is farther.")
     depth_m: float = physical(
         1.0,
         "A facade reaches this far in front of and behind its main plane: bays, cornices, doors, panes.",
