@@ -1,17 +1,38 @@
 """The results of the facade chapter and of its steps. Lengths are in metres, angles in degrees."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Optional
 
 import numpy as np
 from shapely.geometry import MultiPolygon, Polygon
+
+from .planes.side import Side
 
 OPENING, RECESS, COLOURED, PROJECTION = "opening", "recess", "coloured detail", "projection"
 KINDS = (OPENING, RECESS, COLOURED, PROJECTION)
 """A hole through which nothing near is seen; a hole with a surface close behind; another colour in the
 plane of the wall; and a surface in front of it."""
 
-FREE, RECTANGLE, ARCH = "free", "rectangle", "arch"
+FREE, RECTANGLE, TRAPEZIUM, ARCH, CIRCLE = "free", "rectangle", "trapezium", "arch", "circle"
+
+
+EDGES = ("left", "right", "bottom", "top")
+
+
+@dataclass(frozen=True)
+class WallPart:
+    """A part of a facade, parallel to its main wall.
+
+    Attributes
+    ----------
+    depth : float
+        How far it is in front of the main wall; negative behind it (m).
+    area : float
+        Of its surface as it was seen (m2).
+    """
+
+    depth: float
+    area: float
 
 
 @dataclass(frozen=True)
@@ -30,6 +51,8 @@ class Points:
         0..65535, as in the file.
     scan : ndarray of int32, shape (n,)
         The scan of each point, from 0.
+    stations : ndarray of float64, shape (k, 3), or None
+        Position of the scanner of each scan, relative to `origin`; nan where it is not known.
     """
 
     xyz: np.ndarray
@@ -37,6 +60,17 @@ class Points:
     rgb: Optional[np.ndarray]
     intensity: Optional[np.ndarray]
     scan: np.ndarray
+    stations: Optional[np.ndarray] = None
+
+    def subset(self, rows: np.ndarray) -> "Points":
+        """Return some of the points, by their rows."""
+        return replace(
+            self,
+            xyz=self.xyz[rows],
+            rgb=None if self.rgb is None else self.rgb[rows],
+            intensity=None if self.intensity is None else self.intensity[rows],
+            scan=self.scan[rows],
+        )
 
 
 @dataclass(frozen=True)
@@ -75,10 +109,13 @@ class Segmentation:
     labels : ndarray of int16, shape (n,)
         1 for points of the first plane and so on, 0 for points outside all planes, -1 for points of a plane
         in front of the facade, such as the street or a side wall.
+    side : Side
+        From which the facade is seen, to which the normals of the planes point.
     """
 
     planes: tuple[Plane, ...]
     labels: np.ndarray
+    side: Side
 
 
 @dataclass(frozen=True)
@@ -151,7 +188,7 @@ class Detail:
     kind : str
         One of `KINDS`.
     shape : str
-        `RECTANGLE`, `ARCH` or `FREE`.
+        `RECTANGLE`, `TRAPEZIUM`, `ARCH`, `CIRCLE` or `FREE`.
     outline : Polygon
         In u, v; a rectangle or an arch if `shape` says so.
     raw : Polygon
@@ -167,6 +204,14 @@ class Detail:
         Mean, 0..255.
     intensity : float or None
         Mean, as in the file.
+    head : str or None
+        flat, sloped, segmental, round or pointed; None of a circle and of a free shape.
+    use : str or None
+        Of an opening or a recess: window, door, passage or niche.
+    open_sides : tuple of str
+        left, right, bottom, top: where no wall bounds an opening.
+    layer : float
+        How far the wall around it is in front of the main wall; negative behind (m).
     """
 
     number: int
@@ -180,6 +225,16 @@ class Detail:
     points: int
     colour: Optional[tuple[float, float, float]]
     intensity: Optional[float]
+    head: Optional[str] = None
+    use: Optional[str] = None
+    open_sides: tuple[str, ...] = ()
+    layer: float = 0.0
+
+    @property
+    def measured(self) -> tuple[str, ...]:
+        """The edges that were seen: left, right, bottom, top."""
+        edges = vars(self.edges)
+        return tuple(name for name in EDGES if np.isfinite(edges[name]))
 
     @property
     def width(self) -> float:
@@ -234,6 +289,10 @@ class Elevation:
         The points of the facade and close behind it, without those of objects in front of it.
     warnings : tuple of str
         What the user should know, in sentences.
+    side : Side, optional
+        From which the facade is seen, how sure that is, and why.
+    parts : tuple of WallPart
+        The main wall first.
     """
 
     frame: Frame
@@ -243,3 +302,5 @@ class Elevation:
     spacing: float
     rows: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: tuple[str, ...] = ()
+    side: Optional[Side] = None
+    parts: tuple[WallPart, ...] = ()

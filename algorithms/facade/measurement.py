@@ -12,20 +12,23 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
-from .elevation import PROJECTION, Detail, Elevation, Frame, Points, Segmentation, frame_of
+from .elevation import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation, WallPart, frame_of
+from .openings.content import fill_regions
+from .openings.regions import find_regions
+from .openings.states import States, make_states
 from .outlines.details import (
     Scene,
     TracedDetail,
     coloured_details,
-    hole_details,
+    opening_details,
     projecting_details,
     stand_ins,
 )
-from .outlines.holes import Hole, classify, find_gaps
 from .outlines.regular_outlines import Outline, make_outline
 from .outlines.surface import Surface, make_surface
 from .outlines.wall_extent import complete, parts_of
 from .planes.segmentation import find_planes
+from .planes.side import EAST, WEST, Side
 from .settings import FacadeSettings
 
 MILLIMETRES = 3
@@ -33,7 +36,10 @@ MILLIMETRES = 3
 
 
 def measure_facade(
-    points: Points, settings: FacadeSettings = FacadeSettings(), progress: Progress = Progress()
+    points: Points,
+    settings: FacadeSettings = FacadeSettings(),
+    progress: Progress = Progress(),
+    wanted: Optional[Plane] = None,
 ) -> Elevation:
     """Find the planes of a facade, and measure the details of the main one.
 
@@ -42,31 +48,48 @@ def measure_facade(
     points : Points
     settings : FacadeSettings
     progress : Progress
+    wanted : Plane, optional
+        About the main plane of the facade; the largest upright plane is taken if not given.
 
     Raises
     ------
     NothingFoundError
         If there is no upright plane.
     """
-    segmentation = find_planes(points, settings.distance_m, settings.planes, progress.part(0.0, 0.2))
+    segmentation = find_planes(
+        points, settings.distance_m, settings.planes, progress.part(0.0, 0.2), settings.side, wanted
+    )
     frame = frame_of(segmentation.planes[0], points.origin)
     scene = Scene(frame.local(points.xyz, points.origin), segmentation.labels)
-    progress.update(0.2, "Triangulating the wall")
+    side = segmentation.side
+    progress.update(0.2, _facing(frame, side))
+    states = make_states(
+        scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
+    )
+    openings = fill_regions(states, find_regions(states, settings.openings), settings.openings.content)
+    progress.update(0.3, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(
-        0.45, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
+        0.5, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
     )
     coloured = _coloured(points, wall, settings, progress)
-    progress.update(0.65, "Separating openings from shadows")
-    holes = _holes(scene, wall, settings)
-    traced = [*hole_details(scene, wall, holes, settings)]
-    empty = stand_ins(holes, wall.spacing)
+    progress.update(0.7, "Tracing borders")
+    traced = [*opening_details(scene, states, openings, settings)]
+    empty = stand_ins(openings, wall.spacing)
     traced += coloured_details(scene, wall, coloured, empty, settings)
     for label in _projections(segmentation, settings):
         surface = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == label), settings)
         traced += projecting_details(scene, label, surface, empty, settings)
     progress.update(0.85, "Making outlines")
-    return _elevation(points, scene, frame, wall, holes, traced, settings)
+    return _elevation(points, scene, frame, wall, segmentation.side, states, traced, settings)
+
+
+def _facing(frame: Frame, side: Side) -> str:
+    number = EAST if frame.azimuth < 180 else WEST
+    return (
+        f"The facade faces azimuth {frame.azimuth:.1f} degrees (SIDE={number}, "
+        f"certainty {100 * side.sure:.0f} %), because {side.reason}."
+    )
 
 
 def _coloured(points: Points, wall: Surface, settings: FacadeSettings, progress: Progress) -> Coloured:
@@ -105,13 +128,6 @@ def _appearance(
     return Appearance(rgb, relative.values, threshold)
 
 
-def _holes(scene: Scene, wall: Surface, settings: FacadeSettings) -> list[Hole]:
-    w, limits = scene.uvw[:, 2], settings.outlines.holes
-    behind = scene.uvw[(scene.labels >= 0) & (w < -settings.distance_m) & (w > -limits.farthest_m)]
-    gaps = find_gaps(wall.outline, settings.smallest_m2, limits)
-    return [classify(gap, behind, wall.spacing, settings) for gap in gaps]
-
-
 def _projections(segmentation: Segmentation, settings: FacadeSettings) -> list[int]:
     """Return the labels of the planes that lie in front of the wall and parallel to it."""
     main = segmentation.planes[0]
@@ -128,22 +144,24 @@ def _elevation(
     scene: Scene,
     frame: Frame,
     wall: Surface,
-    holes: list[Hole],
+    side: Side,
+    states: States,
     traced: list[TracedDetail],
     settings: FacadeSettings,
 ) -> Elevation:
-    large = [item for item in traced if item.border.ring.area >= settings.smallest_m2]
-    made = [(item, make_outline(item.border, settings.regularise, settings.outlines)) for item in large]
+    large = [item for item in traced if _area(item) >= settings.smallest_m2]
+    made = [(item, _outline(item, settings)) for item in large]
     outlines: dict[str, list[Polygon]] = {}
     for item, outline in made:
         outlines.setdefault(item.kind, []).append(outline.polygon)
     deepest = max((item.depth for item in large if item.kind == PROJECTION), default=0.0)
-    whole = complete(wall, holes, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
+    whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
     face, unseen = whole.face, whole.unseen
     left, bottom = np.round(np.array(face.bounds[:2]), MILLIMETRES)
     moved = Frame(frame.world([[left, bottom, 0.0]])[0], frame.azimuth, frame.tilt)
     details = [
-        _detail(points, item, _moved(outline, -left, -bottom), -left, -bottom) for item, outline in made
+        _detail(points, states, item, _moved(outline, -left, -bottom), -left, -bottom)
+        for item, outline in made
     ]
     details.sort(key=lambda detail: _rank(detail, settings.row_m))
     return Elevation(
@@ -153,14 +171,37 @@ def _elevation(
         tuple(translate(part, -left, -bottom) for part in unseen),
         wall.spacing,
         _shown(scene, settings),
-        tuple(_limits(points)),
+        (*_doubts(side, frame, settings), *_limits(points)),
+        side,
+        tuple(
+            WallPart(layer.depth, float(layer.image.sum()) * states.grid.size**2) for layer in states.layers
+        ),
     )
+
+
+def _area(item: TracedDetail) -> float:
+    return float(item.border.ring.area if item.opening is None else item.opening.polygon.area)
+
+
+def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
+    region = None if item.opening is None else item.opening.polygon
+    return make_outline(item.border, settings.regularise, settings.outlines, region)
 
 
 def _rank(detail: Detail, row: float) -> tuple[float, float, str]:
     """Return what details are numbered by: row by row from above, then from the left."""
     centre = detail.outline.centroid
     return -(centre.y // row), centre.x, detail.kind
+
+
+def _doubts(side: Side, frame: Frame, settings: FacadeSettings) -> Iterator[str]:
+    """Yield a warning if the facade may be drawn mirrored, as it is seen from inside."""
+    if side.sure < settings.planes.side.doubtful:
+        yield (
+            f"It is uncertain from which side the facade is seen: azimuth {frame.azimuth:.0f} degrees was "
+            f"taken, because {side.reason}. If the elevation is mirrored, set SIDE to "
+            f"{WEST if frame.azimuth < 180 else EAST}."
+        )
 
 
 def _limits(points: Points) -> Iterator[str]:
@@ -178,7 +219,9 @@ def _moved(outline: Outline, u: float, v: float) -> Outline:
     return replace(outline, polygon=translate(outline.polygon, u, v))
 
 
-def _detail(points: Points, item: TracedDetail, outline: Outline, u: float, v: float) -> Detail:
+def _detail(
+    points: Points, states: States, item: TracedDetail, outline: Outline, u: float, v: float
+) -> Detail:
     return Detail(
         number=0,
         kind=item.kind,
@@ -191,6 +234,10 @@ def _detail(points: Points, item: TracedDetail, outline: Outline, u: float, v: f
         points=len(item.rows),
         colour=_mean_colour(points.rgb, item.rows),
         intensity=_mean_intensity(points.intensity, item.rows),
+        head=outline.head,
+        use=None if item.opening is None else item.opening.use,
+        open_sides=() if item.opening is None else item.opening.open_sides,
+        layer=0.0 if item.opening is None else states.layers[item.opening.layer].depth,
     )
 
 

@@ -15,6 +15,9 @@ from .settings import ExtentSettings, ThinningSettings
 
 CHUNK_SIZE = 1_000_000
 
+SCANS = 1 << 32
+"""A scan is numbered by its file times this, and its number within the file."""
+
 
 def read_points(
     cloud: Cloud,
@@ -43,6 +46,7 @@ def read_points(
     rgb: list[np.ndarray] = []
     intensity: list[np.ndarray] = []
     scans: list[np.ndarray] = []
+    stations: dict[int, np.ndarray] = {}
     for number, chunk in _chunks(cloud, progress):
         xyz.append(chunk.xyz)
         if has_rgb and chunk.rgb is not None:
@@ -51,15 +55,18 @@ def read_points(
             intensity.append(chunk.intensity.astype(np.float32))
         within = np.zeros(len(chunk.xyz)) if chunk.scan is None else chunk.scan
         # The stations of LAS are 16-bit numbers, which cannot hold the sum.
-        scans.append(number * (1 << 32) + within.astype(np.int64))
+        scans.append(number * SCANS + within.astype(np.int64))
+        if chunk.station is not None and len(within):
+            stations[int(scans[-1][0])] = chunk.station
     _check_extent(cloud, xyz, limits)
-    _, scan = np.unique(np.concatenate(scans), return_inverse=True)
+    keys, scan = np.unique(np.concatenate(scans), return_inverse=True)
     points = Points(
         np.concatenate(xyz),
         cloud.origin,
         np.concatenate(rgb) if has_rgb else None,
         np.concatenate(intensity) if has_intensity else None,
-        scan.astype(np.int32),
+        scan.reshape(-1).astype(np.int32),
+        _positions(keys, stations),
     )
     if thinning is None or len(points.xyz) <= thinning.most_points:
         return points
@@ -96,7 +103,15 @@ def _thinned(cloud: Cloud, points: Points, settings: ThinningSettings, progress:
         None if points.rgb is None else points.rgb[kept],
         None if points.intensity is None else points.intensity[kept],
         points.scan[kept],
+        points.stations,
     )
+
+
+def _positions(keys: np.ndarray, known: dict[int, np.ndarray]) -> Optional[np.ndarray]:
+    """Return the positions of the scanners of scans, nan where a file does not say; None if none does."""
+    if not known:
+        return None
+    return np.array([known.get(int(key), np.full(3, np.nan)) for key in keys])
 
 
 def _chunks(cloud: Cloud, progress: Progress) -> Iterator[tuple[int, Chunk]]:

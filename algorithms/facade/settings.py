@@ -4,7 +4,9 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 from ..settings import judged, physical
+from .buildings.settings import BuildingSettings
 from .colour.settings import ColourSettings
+from .openings.settings import OpeningSettings
 from .outlines.settings import OutlineSettings
 from .output.settings import OrthoimageSettings
 from .planes.settings import PlaneSettings
@@ -66,6 +68,9 @@ class FacadeSettings:
         Of a detail; the square of `seed_radius_m` if not given.
     regularise : bool
         Whether outlines become rectangles and arches where the points allow.
+    side : int
+        SIDE: 0 if it is found from the points; 1 if the facade faces the eastern half of the horizon, 2 if
+        it faces the western one.
     row_m : float
         Details are numbered from above in rows of this height.
     """
@@ -88,9 +93,12 @@ class FacadeSettings:
     alpha_m: Optional[float] = None
     min_area_m2: Optional[float] = None
     regularise: bool = True
+    side: int = 0
     row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
     thinning: ThinningSettings = field(default_factory=ThinningSettings)
+    buildings: BuildingSettings = field(default_factory=BuildingSettings)
     planes: PlaneSettings = field(default_factory=PlaneSettings)
+    openings: OpeningSettings = field(default_factory=OpeningSettings)
     colour: ColourSettings = field(default_factory=ColourSettings)
     outlines: OutlineSettings = field(default_factory=OutlineSettings)
     orthoimage: OrthoimageSettings = field(default_factory=OrthoimageSettings)

@@ -1,5 +1,6 @@
 """The algorithm `facadedetails`."""
 
+from functools import partial
 from typing import Any
 
 from ..algorithm import Algorithm, Outcome
@@ -7,11 +8,12 @@ from ..log import Log
 from ..parameters.clouds import CLOUDS, CRS, open_upright_site
 from ..parameters.destinations import (
     DrawingDestination,
+    HtmlDestination,
     PolygonDestination,
     RasterDestination,
     TableDestination,
 )
-from ..parameters.facade import FILL_HOLES, PIXEL_SIZE, SETTINGS
+from ..parameters.facade import FACADE, FACADE_NEAR, FILL_HOLES, PIXEL_SIZE, SETTINGS
 
 
 class FacadeDetailsAlgorithm(Algorithm):
@@ -42,7 +44,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         "heritage",
         "architecture",
     )
-    inputs = (CLOUDS, *SETTINGS.values(), CRS, PIXEL_SIZE, FILL_HOLES)
+    inputs = (CLOUDS, FACADE, FACADE_NEAR, *SETTINGS.values(), CRS, PIXEL_SIZE, FILL_HOLES)
     destinations = (
         RasterDestination(
             "ORTHOIMAGE",
@@ -79,9 +81,16 @@ class FacadeDetailsAlgorithm(Algorithm):
             "DXF file in metres, with a layer for each kind; needs the package ezdxf.",
             optional=True,
         ),
+        HtmlDestination(
+            "REPORT",
+            "Report of the facade",
+            "HTML page with a key plan of all facades of the cloud, and the details of the one drawn.",
+            optional=True,
+        ),
     )
     numbers = (
         ("DETAIL_COUNT", "Number of details"),
+        ("FACADE_COUNT", "Number of facades in the cloud"),
         ("WALL_AREA", "Area of the wall without openings and recesses (m²)"),
     )
 
@@ -93,18 +102,29 @@ class FacadeDetailsAlgorithm(Algorithm):
         from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
         from ...algorithms.facade.output.schedule import write_schedule
         from ...algorithms.facade.points import read_points
+        from ...algorithms.facade.selection import select_facade
         from ...algorithms.facade.settings import FacadeSettings
 
         settings = FacadeSettings(**{name: values[parameter.name] for name, parameter in SETTINGS.items()})
         cloud = open_upright_site(values, log)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
-        elevation = measure_facade(points, settings, log.progress.part(0.2, 0.95))
+        selection = select_facade(
+            points, settings, values["FACADE"], values["FACADE_NEAR"], log.progress.part(0.2, 0.35)
+        )
+        points = selection.points
+        elevation = measure_facade(points, settings, log.progress.part(0.35, 0.95), selection.plane)
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
         log.info(f"Details: {len(elevation.details)}; pixels of the orthoimage: {pixel_size:g} m.")
+        writers = {}
+        if values["REPORT"]:
+            from ...algorithms.facade.output.report import write_report
+
+            writers["REPORT"] = partial(write_report, selection=selection, elevation=elevation)
         return Outcome(
             {
+                **writers,
                 "ELEVATION": lambda path: write_elevation(path, elevation),
                 "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
                 "ORTHOIMAGE": lambda path: write_orthoimage(
@@ -113,5 +133,9 @@ class FacadeDetailsAlgorithm(Algorithm):
                 "SCHEDULE": lambda path: write_schedule(path, elevation),
                 "DRAWING": lambda path: write_drawing(path, elevation),
             },
-            {"DETAIL_COUNT": len(elevation.details), "WALL_AREA": elevation.wall.area},
+            {
+                "DETAIL_COUNT": len(elevation.details),
+                "FACADE_COUNT": len(selection.facades),
+                "WALL_AREA": elevation.wall.area,
+            },
         )

@@ -1,6 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
-from .parameter import Flag, Number
+from .parameter import Choice, Flag, Number, Place
 
 DISTANCE = Number(
     "DISTANCE",
@@ -12,6 +12,35 @@ DISTANCE = Number(
     default=0.05,
     minimum=0.001,
     maximum=10,
+)
+
+FACADE = Number(
+    "FACADE",
+    "Number of the facade",
+    "Which facade of a building or a street is measured. 0 takes the one that most points see from the "
+    "stations, or that most points lie on if no position of a scanner is known. The report lists all with "
+    "their numbers.",
+    unit="0: the one most seen",
+    default=0,
+    minimum=0,
+    maximum=10_000,
+    whole=True,
+)
+
+FACADE_NEAR = Place(
+    "FACADE_NEAR",
+    "Point near the facade",
+    "Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.",
+)
+
+SIDE = Choice(
+    "SIDE",
+    "Side of the facade",
+    "The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic "
+    "uses the position of the scanner where the files state it, otherwise what is seen through the openings. "
+    "The log says which side was taken, why, and how certain that is.",
+    options=("Automatic", "Facing east (azimuth 0 to 180)", "Facing west (azimuth 180 to 360)"),
+    optional=True,
 )
 
 MIN_POINTS = Number(
@@ -148,8 +177,8 @@ MIN_AREA = Number(
 REGULARISE = Flag(
     "REGULARISE",
     "Rectangles and arches",
-    "Outlines become level and plumb rectangles or arches where the points agree with such a shape. All "
-    "other outlines follow the points. If off, all outlines follow the points.",
+    "Outlines become level and plumb rectangles, arches or circles where the points agree with such a shape. "
+    "All other outlines follow the points. If off, all outlines follow the points.",
     default=True,
 )
 
@@ -173,6 +202,7 @@ FILL_HOLES = Flag(
 
 SETTINGS = {
     "distance_m": DISTANCE,
+    "side": SIDE,
     "seed_radius_m": SEED_RADIUS,
     "seed_colour": SEED_COLOUR,
     "seed_variance": SEED_VARIANCE,

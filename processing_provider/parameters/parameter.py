@@ -21,6 +21,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterNumber,
+    QgsProcessingParameterPoint,
     QgsProcessingParameterString,
 )
 
@@ -213,6 +214,25 @@ class Text(Parameter):
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> str:
         return str(algorithm.parameterAsString(parameters, self.name, context)).strip()
+
+
+@dataclass(frozen=True)
+class Place(Parameter):
+    """An optional point in plan, picked on the map or written as x,y."""
+
+    def _definition(self) -> QgsProcessingParameterPoint:
+        return _marked(QgsProcessingParameterPoint(self.name, self.description, optional=True))
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[tuple[float, float]]:
+        given = parameters.get(self.name)
+        if given is None or not str(given).strip():
+            return None
+        point = algorithm.parameterAsPoint(parameters, self.name, context)
+        if point.isEmpty():
+            raise InputError(f"{self.name} must be a point like 412345.6,5812345.7, not {given}.")
+        return point.x(), point.y()
 
 
 @dataclass(frozen=True)

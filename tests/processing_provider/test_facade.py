@@ -241,7 +241,8 @@ def test_defaults_of_parameters_are_those_of_the_settings():
     from ichnograph.algorithms.facade.settings import FacadeSettings
     from ichnograph.processing_provider.parameters.facade import MAX_PLANES, MIN_POINTS, SETTINGS
 
-    shown = {name: parameter.default for name, parameter in SETTINGS.items()}
+    # The first option of a choice is its default.
+    shown = {name: getattr(parameter, "default", 0) for name, parameter in SETTINGS.items()}
     assert shown == {name: getattr(FacadeSettings(), name) for name in SETTINGS}
     assert MIN_POINTS.default == PlaneSettings().min_points
     assert MAX_PLANES.default == PlaneSettings().max_planes

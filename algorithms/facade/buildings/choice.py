@@ -10,25 +10,40 @@ from .facades import Facade
 from .settings import BuildingSettings
 
 
-def choose(facades: Sequence[Facade], number: int = 0, near: Optional[np.ndarray] = None) -> Facade:
+def choose(
+    facades: Sequence[Facade],
+    number: int = 0,
+    near: Optional[np.ndarray] = None,
+    settings: BuildingSettings = BuildingSettings(),
+) -> Facade:
     """Return one of the facades.
 
     Parameters
     ----------
     facades : sequence of Facade
-        By number, at least one.
+        By number.
     number : int
         Of the facade; 0 for the one that most points see, or the largest if no scanner's position is known.
     near : ndarray of float64, shape (k, 2), optional
         A point, or the corners of a line, in plan: the facade nearest to it on average is taken.
 
+    settings : BuildingSettings
+
     Raises
     ------
     InputError
-        If there is no facade of that number.
+        If there is no facade of that number, or none near the point.
     """
+    if not facades:
+        raise InputError("No facade was found, so leave FACADE 0 and FACADE_NEAR empty.")
     if near is not None:
-        return min(facades, key=lambda facade: _distance(facade, near))
+        nearest = min(facades, key=lambda facade: _distance(facade, near))
+        if _distance(nearest, near) > settings.nearest_m:
+            raise InputError(
+                f"FACADE_NEAR is {_distance(nearest, near):.0f} m from the nearest facade; give it in the "
+                "coordinates of the site."
+            )
+        return nearest
     if number > len(facades):
         raise InputError(
             f"FACADE is {number}, but the cloud has {len(facades)} facades; choose one from 1 to "

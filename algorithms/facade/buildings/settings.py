@@ -81,6 +81,8 @@ class BuildingSettings:
         "A plane that lies behind others with more of itself is an inner face; windows interrupt them.",
     )
     on_wall_m: float = physical(0.1, "Points this near to a wall count as its points.")
+    nearest_m: float = physical(30.0, "A picked point farther from every facade is in another system.")
+    key_m: float = judged(0.1, "Squares of the key plan; a metre is about 10 pixels on a small site.")
     around_m: float = judged(1.5, "What stands this far beyond the ends of a facade is measured with it.")
     before_m: float = judged(
         12.0, "What stands this far before a facade is kept: it hides parts of it, and shows its front."

@@ -1,6 +1,6 @@
 """The border between a detail and what surrounds it, as the mean of its two sides."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.ndimage import binary_dilation
@@ -53,11 +53,20 @@ class Border:
     gaps : ndarray of float64, shape (k,)
         Widths within which the border may lie at the crossings (m); the outermost points of a surface end
         up to one spacing before its edge.
+    seen : ndarray of bool, shape (k,)
+        Which crossings have points of the outer side near them; elsewhere something hides the border.
+    jambs : ndarray of float64, shape (j, 2)
+        Points of surfaces at right angles to the plane, which show the border directly.
+    spacing : float
+        Of the points along the border (m).
     """
 
     ring: Polygon
     crossings: np.ndarray
     gaps: np.ndarray
+    seen: np.ndarray
+    jambs: np.ndarray = field(default_factory=lambda: np.empty((0, 2)))
+    spacing: float = 0.0
 
 
 def trace_border(
@@ -68,6 +77,7 @@ def trace_border(
     band: float,
     lost: Lost = NOTHING_LOST,
     settings: BorderSettings = BorderSettings(),
+    reach: float = np.inf,
 ) -> Border:
     """Trace the border between two sets of points in a plane.
 
@@ -88,6 +98,8 @@ def trace_border(
     lost : Lost
         Points that the side in front lacks at its edge.
     settings : BorderSettings
+    reach : float
+        Where the sides are farther apart, the border was not seen (m).
 
     Returns
     -------
@@ -110,11 +122,14 @@ def trace_border(
     known = np.isfinite(w[outer]) | np.isfinite(w[inner])
     mixed[mixed], outer, inner = known, outer[known], inner[known]
     if not len(outer):
-        return Border(Polygon(), np.empty((0, 2)), np.empty(0))
+        return Border(Polygon(), np.empty((0, 2)), np.empty(0), np.empty(0, bool))
     shares, gaps = _shares(mesh, within, w, (outer, inner), step, lost, settings)
     crossings = np.full((len(mesh.edges), 2), np.nan)
     crossings[mixed] = points[outer] + shares[:, None] * (points[inner] - points[outer])
-    return Border(_ring(mesh, mixed, crossings), crossings[mixed], gaps)
+    apart = np.hypot(*(points[outer] - points[inner]).T)
+    spacings = mesh.spacings[np.isfinite(w)]
+    spacing = float(np.median(spacings[np.isfinite(spacings)]))
+    return Border(_ring(mesh, mixed, crossings), crossings[mixed], gaps, apart <= reach, spacing=spacing)
 
 
 def _beside(

@@ -1,19 +1,22 @@
 """The borders of the details: of colours on the wall, holes in it, and surfaces in front of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Optional
 
 import numpy as np
+from scipy.ndimage import binary_erosion
 from shapely.geometry import Polygon
 
 from ..colour.coloured_details import Coloured
 from ..colour.mixed_points import divide_at_half
 from ..elevation import COLOURED, PROJECTION
+from ..openings.content import Opening
+from ..openings.states import States
 from ..settings import FacadeSettings
 from .border import Border, Lost, trace_border
-from .holes import Hole, within
-from .jambs import is_plumb
-from .surface import Surface
+from .jambs import divide_behind, is_plumb
+from .surface import Surface, within
 
 
 @dataclass(frozen=True)
@@ -27,12 +30,15 @@ class TracedDetail:
     depth : float
     rows : ndarray of int64
         Of the points on its surface, among all points.
+    opening : Opening or None
+        What is known of an opening or a recess.
     """
 
     kind: str
     border: Border
     depth: float
     rows: np.ndarray
+    opening: Optional[Opening] = None
 
 
 @dataclass(frozen=True)
@@ -89,37 +95,55 @@ def coloured_details(
         yield TracedDetail(COLOURED, border, float(np.mean(scene.uvw[rows, 2])), rows)
 
 
-def hole_details(
-    scene: Scene, surface: Surface, holes: list[Hole], settings: FacadeSettings
+def opening_details(
+    scene: Scene, states: States, openings: list[Opening], settings: FacadeSettings
 ) -> Iterator[TracedDetail]:
-    """Yield openings and recesses: their borders lie between the wall and what is behind it."""
-    limits = settings.outlines.border
-    facade, ground = np.flatnonzero(scene.labels >= 0), np.flatnonzero(scene.labels < 0)
-    noise = limits.noise_sigmas * float(np.std(scene.uvw[surface.rows, 2]))
-    margin = limits.margin_spacings * surface.spacing
-    for hole in holes:
-        if hole.kind is None:
-            continue
-        half = -0.5 * min(abs(hole.depth), limits.mixed_depth_m)
-        near = scene.near(hole.polygon.bounds, margin, facade)
-        w = scene.uvw[near, 2]
-        grown = hole.polygon.buffer(surface.spacing)
-        inside = near[w <= half]
-        inside = inside[within(grown, scene.uvw[inside, :2])]
-        outside = near[(w >= -noise) & (w <= settings.distance_m)]
-        between = near[(w > half) & (w < -noise)]
-        plumb = is_plumb(scene.uvw[between], scene.uvw[outside], settings.outlines)
-        lost = Lost(scene.uvw[between[~plumb], :2], surface.area_of_point)
-        outside = np.concatenate([outside, between[plumb]])
-        # A gate ends at the ground.
-        foot = scene.near(hole.polygon.bounds, margin, ground)
-        foot = foot[np.abs(scene.uvw[foot, 2]) <= limits.mixed_depth_m]
-        outside = np.concatenate([outside, foot])
-        filler = _lattice(hole.polygon.buffer(-limits.inset_spacings * surface.spacing), surface.spacing)
-        border = trace_border(
-            scene.uvw[inside], scene.uvw[outside], filler, 0.5 * abs(half), margin, lost, limits
-        )
-        yield TracedDetail(hole.kind, border, hole.depth, inside)
+    """Yield the openings and recesses: their borders are those of the wall, whatever is seen in them."""
+    ground = np.flatnonzero(scene.labels < 0)
+    near_wall = (
+        (states.above <= settings.outlines.border.beside_m) & (states.cells >= 0) & (scene.labels >= 0)
+    )
+    facade = np.flatnonzero(near_wall & (states.above > -settings.outlines.jambs.deepest_m))
+    for opening in openings:
+        border = _opening_border(scene, states, opening, (facade, ground), settings)
+        yield TracedDetail(opening.kind, border, opening.depth, opening.inside, opening)
+
+
+def _opening_border(
+    scene: Scene,
+    states: States,
+    opening: Opening,
+    around: tuple[np.ndarray, np.ndarray],
+    settings: FacadeSettings,
+) -> Border:
+    limits, spacing = settings.outlines.border, states.spacing
+    margin = limits.margin_spacings * spacing
+    bounds = opening.polygon.bounds
+    core = _core(opening, states)
+    near = scene.near(bounds, margin, around[0])
+    near = near[~core.ravel()[states.cells[near]]]
+    uvw = np.column_stack([scene.uvw[near, :2], states.above[near]])
+    before = uvw[:, 2] >= -states.layers[opening.layer].surface.roughness
+    wall, behind = uvw[before] * (1, 1, 0), uvw[~before]
+    jamb, mixed = divide_behind(behind, wall, spacing, settings.outlines)
+    # A gate ends at the ground.
+    foot = scene.uvw[scene.near(bounds, margin, around[1])]
+    foot = foot[np.abs(foot[:, 2]) <= limits.mixed_depth_m] * (1, 1, 0)
+    outside = np.concatenate([wall, foot])
+    reach = limits.reach_pixels * states.grid.size
+    border = trace_border(
+        np.empty((0, 3)), outside, states.grid.centres(core), 0.01, margin, Lost(mixed[:, :2], spacing**2),
+        limits, reach,
+    )  # fmt: skip
+    return replace(border, jambs=jamb[:, :2])
+
+
+def _core(opening: Opening, states: States) -> np.ndarray:
+    """Return the pixels of an opening that have none of the wall beside them, as an image."""
+    image = np.zeros(states.grid.shape, bool)
+    image[opening.region.box] = opening.region.image
+    core = binary_erosion(image, np.ones((3, 3)))
+    return core if core.any() else image
 
 
 def projecting_details(
@@ -151,9 +175,9 @@ def projecting_details(
         yield TracedDetail(PROJECTION, border, depth, rows)
 
 
-def stand_ins(holes: list[Hole], spacing: float) -> np.ndarray:
-    """Return u, v, w of positions in the holes of a wall that stand in for points infinitely far behind."""
-    positions = [_lattice(hole.polygon.buffer(-spacing), spacing) for hole in holes]
+def stand_ins(openings: list[Opening], spacing: float) -> np.ndarray:
+    """Return u, v, w of positions in the openings that stand in for points infinitely far behind."""
+    positions = [_lattice(opening.polygon.buffer(-2 * spacing), spacing) for opening in openings]
     u, v = np.concatenate([np.empty((0, 2)), *positions]).T
     return np.stack([u, v, np.full(len(u), -np.inf)], axis=1)
 

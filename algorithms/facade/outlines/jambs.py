@@ -34,3 +34,37 @@ def is_plumb(
     scatter = sigma_about_median(offsets, axis=1)
     farthest = np.maximum(limits.outlying * scatter, settings.noise_m)
     return (slopes < limits.steepest) & (inwards - middle[:, 0] <= farthest)
+
+
+def divide_behind(
+    behind: np.ndarray, wall: np.ndarray, spacing: float, settings: OutlineSettings = OutlineSettings()
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the points at the edge of an opening that are on its jambs, and those that are mixed.
+
+    Points of a jamb have many depths and one distance from the wall. Mixed points lie beside the wall, and
+    nearer to it in depth than to what is seen around them. All others are content, such as a frame.
+
+    Parameters
+    ----------
+    behind, wall : ndarray of float64, shape (n, 3), (m, 3)
+        u, v, w; w is 0 on the wall.
+    spacing : float
+        Of the points of the wall (m).
+    settings : OutlineSettings
+    """
+    limits = settings.jambs
+    nothing = np.empty((0, 3))
+    if min(len(behind), len(wall)) < limits.fewest_points:
+        return nothing, nothing
+    inwards, _ = cKDTree(wall[:, :2]).query(behind[:, :2])
+    beside = inwards <= limits.beside_spacings * spacing
+    near = behind[beside]
+    if len(near) < limits.fewest_points:
+        return nothing, nothing
+    _, around = cKDTree(behind[:, :2]).query(near[:, :2], k=min(limits.neighbours, len(behind)))
+    depths = behind[around, 2]
+    spread = np.ptp(np.percentile(depths, (10, 90), axis=1), axis=0)
+    plumb = is_plumb(near, wall, settings) & (spread >= limits.least_spread_m)
+    close = inwards[beside] <= max(spacing, settings.border.beam_m)
+    mixed = ~plumb & close & (near[:, 2] > 0.5 * np.median(depths, axis=1))
+    return near[plumb], near[mixed]

@@ -1,4 +1,4 @@
-"""Regular outlines: the border of a detail as a rectangle or an arch, where it has that shape."""
+"""Regular outlines: jambs, sill and head, each fitted to the border on its own; or a circle."""
 
 from dataclasses import dataclass
 from typing import Optional
@@ -6,14 +6,16 @@ from typing import Optional
 import numpy as np
 from shapely.geometry import Polygon
 
-from ...geometry.circles import fit_circle_on_axis
-from ...geometry.robust import EFFICIENT_CUT, sigma_about_median, sigma_of_residuals, tukey_weights
-from ..elevation import ARCH, FREE, RECTANGLE, Edges
+from ...geometry.circles import arc_through
+from ..elevation import ARCH, CIRCLE, FREE, RECTANGLE, TRAPEZIUM, Edges
 from .border import Border
-from .settings import OutlineSettings, ShapeSettings
+from .edges import Edge, edge_deviation, fit_edge
+from .heads import FLAT, SLOPED, Head, fit_head
+from .settings import OutlineSettings
 
-ARC_POINTS = 49
-"""Corners of the polygon that represents an arch."""
+NOTHING = float("nan")
+CORNERS = 96
+"""Of the polygon that represents a circle."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +25,8 @@ class Outline:
     Attributes
     ----------
     shape : str
+    head : str or None
+        Of a rectangle, a trapezium or an arch; see `heads`.
     polygon : Polygon
     edges : Edges
     rms : float
@@ -30,62 +34,27 @@ class Outline:
     """
 
     shape: str
+    head: Optional[str]
     polygon: Polygon
     edges: Edges
     rms: float
 
 
 @dataclass(frozen=True)
-class _Arc:
-    """The height of the centre of an arch, and its radius."""
-
-    centre: float
-    radius: float
-
-
-@dataclass(frozen=True)
 class _Sides:
-    """The positions of the four sides; the top is the crown of the arc if there is one."""
-
-    left: float
-    bottom: float
-    right: float
-    top: float
-    arc: Optional[_Arc] = None
-
-    @property
-    def springing(self) -> float:
-        """The height at which the upright sides end."""
-        if self.arc is None:
-            return self.top
-        half = 0.5 * (self.right - self.left)
-        return self.arc.centre + float(np.sqrt(max(self.arc.radius**2 - half**2, 0.0)))
-
-    def distances(self, points: np.ndarray) -> np.ndarray:
-        """Return the distances of points to the four sides, shape (k, 4), positive outwards."""
-        u, v = points.T
-        if self.arc is None:
-            top = v - self.top
-        else:
-            top = np.hypot(u - 0.5 * (self.left + self.right), v - self.arc.centre) - self.arc.radius
-        return np.stack([self.left - u, self.bottom - v, u - self.right, top], axis=1)
-
-    def polygon(self) -> Polygon:
-        """Return the outline."""
-        foot = [(self.left, self.bottom), (self.right, self.bottom)]
-        if self.arc is None:
-            return Polygon([*foot, (self.right, self.top), (self.left, self.top)])
-        middle, half = 0.5 * (self.left + self.right), 0.5 * (self.right - self.left)
-        rise = np.arctan2(self.springing - self.arc.centre, half)
-        angles = np.linspace(rise, np.pi - rise, ARC_POINTS)
-        arc = np.stack(
-            [middle + self.arc.radius * np.cos(angles), self.arc.centre + self.arc.radius * np.sin(angles)],
-            axis=1,
-        )
-        return Polygon([*foot, *arc])
+    left: Edge
+    bottom: Edge
+    right: Edge
+    top: Edge
+    head: Optional[Head] = None
 
 
-def make_outline(border: Border, regularise: bool, settings: OutlineSettings = OutlineSettings()) -> Outline:
+def make_outline(
+    border: Border,
+    regularise: bool,
+    settings: OutlineSettings = OutlineSettings(),
+    region: Optional[Polygon] = None,
+) -> Outline:
     """Return the outline of a detail: regular if wanted and if the border allows, else as it was seen.
 
     Parameters
@@ -93,165 +62,161 @@ def make_outline(border: Border, regularise: bool, settings: OutlineSettings = O
     border : Border
     regularise : bool
     settings : OutlineSettings
+    region : Polygon, optional
+        The hole of the wall, where it is known from what is seen in it. It limits the edges that were not
+        measured.
     """
+    ring = border.ring if region is None else region
+    if not regularise or not border.seen.any():
+        return _free(border, ring, settings)
+    circle = _circle(border, ring, settings)
+    if circle is not None:
+        return circle
+    sides = _fit(border, ring, settings)
+    polygon = _polygon(sides)
+    off = _off(border, polygon)
+    reach = np.maximum(settings.shapes.outlying_gaps * border.gaps, settings.shapes.outlying_m)
+    contradicted = float(np.mean(off[border.seen] > reach[border.seen]))
+    alike = _iou(polygon, ring)
     shapes = settings.shapes
-    if regularise:
-        expected = np.hypot(border.gaps / np.sqrt(12), settings.noise_m)
-        found = [
-            (shape, sides)
-            for shape, sides in _candidates(border, settings)
-            if _holds(sides, border, expected, shapes)
-        ]
-        if found:
-            rms = [_rms(sides, border, expected, shapes) for _, sides in found]
-            best = 1 if len(found) > 1 and rms[1] < shapes.gain * rms[0] else 0
-            shape, sides = found[best]
-            return Outline(shape, sides.polygon(), _side_deviations(sides, border, settings), rms[best])
-    return _free(border, settings)
-
-
-def _candidates(border: Border, settings: OutlineSettings) -> list[tuple[str, _Sides]]:
-    rectangle = _fit_rectangle(border, settings.shapes)
-    arch = _fit_arch(border, rectangle, settings)
-    return [(RECTANGLE, rectangle)] + ([(ARCH, arch)] if arch else [])
-
-
-def _fit_rectangle(border: Border, settings: ShapeSettings) -> _Sides:
-    sides = _Sides(*border.ring.bounds)
-    for _ in range(settings.rounds):
-        sides = _moved(sides, border, settings)
-    return sides
-
-
-def _moved(sides: _Sides, border: Border, settings: ShapeSettings) -> _Sides:
-    """Return the sides, each moved to the crossings near it."""
-    nearest, _ = _assign(sides, border, settings)
-    u, v = border.crossings.T
-    old = (sides.left, sides.bottom, sides.right, sides.top)
-    left, bottom, right, top = (
-        _location(values[nearest == side], position, settings.rounds)
-        for side, (values, position) in enumerate(zip((u, v, u, v), old))
+    agrees = contradicted <= shapes.contradicted or (
+        contradicted <= shapes.most_contradicted and alike >= shapes.alike
     )
-    return _Sides(left, bottom, right, top if sides.arc is None else sides.top, sides.arc)
+    measured = sum(edge.measured for edge in (sides.left, sides.bottom, sides.right, sides.top))
+    if not agrees or measured < shapes.fewest_sides:
+        return _free(border, ring, settings)
+    near = border.seen & (off <= reach)
+    edges = Edges(sides.left.std, sides.right.std, sides.bottom.std, sides.top.std)
+    kind = FLAT if sides.head is None else sides.head.kind
+    shape = {FLAT: RECTANGLE, SLOPED: TRAPEZIUM}.get(kind, ARCH)
+    rms = float(np.sqrt(np.mean(off[near] ** 2))) if near.any() else NOTHING
+    return Outline(shape, kind, polygon, edges, rms)
 
 
-def _assign(sides: _Sides, border: Border, settings: ShapeSettings) -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of the side nearest to each crossing, -1 at corners, and the distance to it."""
-    distances = sides.distances(border.crossings)
-    if sides.arc is not None:
-        below = border.crossings[:, 1] < sides.springing
-        distances[below, 3] = np.inf
-        distances[~below, 0] = distances[~below, 2] = np.inf
-    magnitudes = np.abs(distances)
-    nearest = np.argmin(magnitudes, axis=1)
-    own = np.take_along_axis(distances, nearest[:, None], axis=1)[:, 0]
-    second = np.partition(magnitudes, 1, axis=1)[:, 1]
-    return np.where(second < settings.corner_gaps * border.gaps, -1, nearest), own
-
-
-def _location(values: np.ndarray, fallback: float, rounds: int) -> float:
-    """Return a robust mean of values, by Tukey's biweight; `fallback` without values."""
-    if not len(values):
-        return fallback
-    middle = float(np.median(values))
-    for _ in range(rounds):
-        scale = max(sigma_of_residuals(values - middle), 1e-4)
-        weights = tukey_weights(values - middle, scale, EFFICIENT_CUT)
-        middle = float(np.average(values, weights=weights))
-    return middle
-
-
-def _fit_arch(border: Border, rectangle: _Sides, settings: OutlineSettings) -> Optional[_Sides]:
-    """Return upright sides under a semicircle or a flatter arc; None if no arc fits into the border."""
-    corner = settings.shapes.corner_gaps * np.median(border.gaps)
-    half = 0.5 * (rectangle.right - rectangle.left)
-    middle = 0.5 * (rectangle.left + rectangle.right)
-    height = rectangle.top - rectangle.bottom
-    if half <= 0 or height <= 0:
-        return None
-    top = border.ring.bounds[3]
-    arc = _Arc(top - half, half)
-    sides = _Sides(rectangle.left, rectangle.bottom, rectangle.right, top, arc)
+def _fit(border: Border, ring: Polygon, settings: OutlineSettings) -> _Sides:
+    """Return the sides: the jambs and the sill first, then the head between them."""
+    left, bottom, right, top = ring.bounds
+    sides = _Sides(*(Edge(position, NOTHING) for position in (left, bottom, right, top)))
     for _ in range(settings.shapes.rounds):
-        sides = _moved(sides, border, settings.shapes)
-        half, middle = 0.5 * (sides.right - sides.left), 0.5 * (sides.left + sides.right)
-        upper = border.crossings[border.crossings[:, 1] > sides.springing + corner]
-        if len(upper) < 3:
+        low, high = sides.bottom.position, sides.top.position
+        wide = settings.shapes.near * (sides.right.position - sides.left.position)
+        tall = settings.shapes.near * (high - low)
+        spans = (low, high), (sides.left.position, sides.right.position)
+        sides = _Sides(
+            _side(border, 0, sides.left.position, spans[0], wide, settings),
+            _side(border, 1, low, spans[1], tall, settings),
+            _side(border, 0, sides.right.position, spans[0], wide, settings),
+            _side(border, 1, high, spans[1], tall, settings),
+        )
+    top, width = sides.top, sides.right.position - sides.left.position
+    if top.measured and top.last - top.first >= settings.heads.flat_extent * width:
+        return sides
+    head = _head(border, sides, settings)
+    if head is None or head.kind == FLAT:
+        return sides
+    crown = Edge(float(head.line[:, 1].max()), head.std)
+    return _Sides(sides.left, sides.bottom, sides.right, crown, head)
+
+
+def _side(
+    border: Border,
+    axis: int,
+    start: float,
+    span: tuple[float, float],
+    reach: float,
+    settings: OutlineSettings,
+) -> Edge:
+    """Return an edge across an axis: by its jamb where one was seen, otherwise by the points beside it."""
+    crossings, gaps = border.crossings[border.seen], border.gaps[border.seen]
+    near = np.abs(crossings[:, axis] - start) <= reach
+    across, along = crossings[near, axis], crossings[near, 1 - axis]
+    edge = fit_edge(across, along, gaps[near], span, start, settings, border.spacing)
+    if not edge.measured or not len(border.jambs):
+        return edge
+    gap = float(np.median(gaps[near]))
+    flush = settings.edges.flush_gaps * gap + settings.noise_m
+    jamb = border.jambs[np.abs(border.jambs[:, axis] - edge.position) <= flush]
+    none = np.zeros(len(jamb))
+    direct = fit_edge(jamb[:, axis], jamb[:, 1 - axis], none, span, start, settings, border.spacing)
+    return direct if direct.measured else edge
+
+
+def _head(border: Border, sides: _Sides, settings: OutlineSettings) -> Optional[Head]:
+    left, right, bottom = sides.left.position, sides.right.position, sides.bottom.position
+    points, gaps = border.crossings[border.seen], border.gaps[border.seen]
+    middle = 0.5 * (bottom + max(sides.top.position, bottom))
+    corner = settings.edges.corner_gaps * max(float(np.median(gaps)), border.spacing)
+    between = (points[:, 0] > left + corner) & (points[:, 0] < right - corner) & (points[:, 1] > middle)
+    head = fit_head(points[between], gaps[between], (left, right), settings)
+    if head is None:
+        return None
+    flush = settings.edges.flush_gaps * float(np.median(gaps)) + settings.noise_m
+    jambs = border.jambs
+    soffit = jambs[(jambs[:, 0] > left + corner) & (jambs[:, 0] < right - corner) & (jambs[:, 1] > middle)]
+    soffit = soffit[head.off(soffit) <= flush] if len(soffit) else soffit
+    direct = fit_head(soffit, np.zeros(len(soffit)), (left, right), settings)
+    return direct if direct is not None and direct.kind == head.kind else head
+
+
+def _polygon(sides: _Sides) -> Polygon:
+    left, bottom, right, top = (edge.position for edge in (sides.left, sides.bottom, sides.right, sides.top))
+    foot = [(left, bottom), (right, bottom)]
+    head = [(right, top), (left, top)] if sides.head is None else sides.head.line.tolist()
+    polygon = Polygon([*foot, *head])
+    return polygon if polygon.is_valid else polygon.convex_hull
+
+
+def _off(border: Border, polygon: Polygon) -> np.ndarray:
+    """Return the distances of the crossings from an outline."""
+    line = np.array(polygon.exterior.coords)
+    return Head("", line, NOTHING).off(border.crossings)
+
+
+def _iou(first: Polygon, second: Polygon) -> float:
+    both = first.intersection(second.buffer(0)).area
+    return float(both / max(first.area + second.area - both, 1e-12))
+
+
+def _circle(border: Border, ring: Polygon, settings: OutlineSettings) -> Optional[Outline]:
+    """Return the outline if it is a circle."""
+    shapes = settings.shapes
+    left, bottom, right, top = ring.bounds
+    wide, tall = right - left, top - bottom
+    points, gaps = border.crossings[border.seen], border.gaps[border.seen]
+    if min(wide, tall) < shapes.round_box * max(wide, tall) or len(points) < settings.heads.fewest:
+        return None
+    arc = arc_through(points)
+    for _ in range(shapes.rounds):
+        if arc is None or not 0.25 * wide < arc.radius < wide:
             return None
-        amid = np.abs(upper[:, 0] - middle) < 0.1 * half
-        crown = _location(upper[amid, 1], top, settings.shapes.rounds)
-        start = np.array([arc.centre, max(arc.radius, half)])
-        centre, radius = fit_circle_on_axis(upper, middle, start, settings.noise_m)
-        if radius < half:
-            # The upright sides end where the semicircle of their own width does.
-            centre, radius = crown - half, half
-        arc = _Arc(centre, radius)
-        sides = _Sides(sides.left, sides.bottom, sides.right, centre + radius, arc)
-    return sides if sides.springing > sides.bottom else None
+        near = arc.distances(points) <= np.maximum(shapes.outlying_gaps * gaps, shapes.outlying_m)
+        if near.mean() < 1 - shapes.contradicted:
+            return None
+        arc = arc.fitted(points[near], np.ones(int(near.sum())))
+    angles = np.linspace(0, 2 * np.pi, CORNERS, endpoint=False)
+    u, v = arc.centre
+    polygon = Polygon(np.stack([u + arc.radius * np.cos(angles), v + arc.radius * np.sin(angles)], axis=1))
+    off = arc.distances(points)
+    expected = np.hypot(gaps / np.sqrt(12), settings.noise_m)
+    # A square deviates from its circle by a fifth of the radius.
+    if float(np.median(off / expected)) > shapes.round_deviation or _iou(polygon, ring) < shapes.alike:
+        return None
+    std = edge_deviation(off[near], points[near], gaps[near], settings)
+    return Outline(CIRCLE, None, polygon, Edges(std, std, std, std), float(np.sqrt(np.mean(off[near] ** 2))))
 
 
-def _holds(sides: _Sides, border: Border, expected: np.ndarray, settings: ShapeSettings) -> bool:
-    """Whether the crossings agree with a shape, as far as their expected deviations allow."""
-    nearest, own = _assign(sides, border, settings)
-    deviations = np.abs(own) / expected
-    if not {0, 1, 2, 3} <= set(nearest.tolist()) and len(deviations) < 4:
-        return False
-    off = deviations > settings.outlying
-    within = deviations[~off]
-    agrees = len(within) and np.sqrt(np.mean(within**2)) <= settings.tolerance
-    return bool(np.mean(off) <= settings.outliers and agrees)
-
-
-def _rms(sides: _Sides, border: Border, expected: np.ndarray, settings: ShapeSettings) -> float:
-    _, own = _assign(sides, border, settings)
-    near = np.abs(own) <= settings.outlying * expected
-    return float(np.sqrt(np.mean(own[near] ** 2))) if near.any() else float(np.sqrt(np.mean(own**2)))
-
-
-def _side_deviations(sides: _Sides, border: Border, settings: OutlineSettings) -> Edges:
-    nearest, own = _assign(sides, border, settings.shapes)
-    left, bottom, right, top = (
-        edge_deviation(own[near], border.crossings[near], border.gaps[near], settings)
-        for near in (nearest == side for side in range(4))
-    )
-    return Edges(left, right, bottom, top)
-
-
-def edge_deviation(
-    residuals: np.ndarray,
-    crossings: np.ndarray,
-    gaps: np.ndarray,
-    settings: OutlineSettings = OutlineSettings(),
-) -> float:
-    """Return the standard deviation of the position of an edge (m); nan if nothing was seen of it.
-
-    The border lies anywhere within the gap. The part of this that appears as scatter along the edge
-    averages out. The rest does not, for example where a line of the scan runs along the edge.
-
-    Parameters
-    ----------
-    residuals, gaps : ndarray of float64, shape (k,)
-    crossings : ndarray of float64, shape (k, 2)
-    settings : OutlineSettings
-    """
-    if len(residuals) < 2:
-        return float("nan")
-    gap = float(np.median(gaps))
-    scatter = float(sigma_about_median(residuals)) ** 2
-    unseen = max(gap**2 / 12 - settings.shapes.scattered * scatter, 0.0)
-    length = float(np.hypot(*np.ptp(crossings, axis=0)))
-    independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)
-    return float(np.sqrt(unseen + (scatter + settings.noise_m**2) / independent))
-
-
-def _free(border: Border, settings: OutlineSettings) -> Outline:
+def _free(border: Border, ring: Polygon, settings: OutlineSettings) -> Outline:
     """Return the outline as it was seen, without the scatter of single points."""
-    polygon = border.ring.simplify(0.5 * float(np.median(border.gaps)))
-    left, bottom, right, top = border.ring.bounds
+    gap = float(np.median(border.gaps)) if len(border.gaps) else settings.noise_m
+    if border.ring.is_empty or _iou(border.ring, ring) < settings.shapes.alike:
+        polygon = ring.simplify(gap)
+    else:
+        polygon = border.ring.simplify(0.5 * gap)
+    left, bottom, right, top = polygon.bounds
     u, v = border.crossings.T
-    reach = settings.shapes.corner_gaps * float(np.median(border.gaps))
+    reach = settings.edges.corner_gaps * gap
     found = []
     for away in (u - left, v - bottom, right - u, top - v):
-        near = away < reach
+        near = border.seen & (np.abs(away) < reach)
         found.append(edge_deviation(away[near], border.crossings[near], border.gaps[near], settings))
-    return Outline(FREE, polygon, Edges(found[0], found[2], found[1], found[3]), 0.0)
+    return Outline(FREE, None, polygon, Edges(found[0], found[2], found[1], found[3]), NOTHING)

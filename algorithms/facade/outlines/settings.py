@@ -15,11 +15,20 @@ class BorderSettings:
     mixed_depth_m: float = judged(
         0.3, "A laser spot on two surfaces gives one point between them up to this depth; beyond, two points."
     )
+    beam_m: float = physical(
+        0.01, "Laser spots are hardly larger; points farther from the wall are not mixed."
+    )
     noise_sigmas: float = statistical(
         4.0, "Points further off a surface, in its standard deviations, belong to a jamb or are mixed."
     )
     inset_spacings: float = judged(
         3.0, "Distance from the border of a hole of the positions that stand in for points far behind."
+    )
+    reach_pixels: float = judged(
+        3.5, "Where the wall is farther from a hole than this, its edge was not seen, but something hides it."
+    )
+    beside_m: float = physical(
+        0.3, "What projects by less is a surround or a sill, on which an edge may lie."
     )
 
 
@@ -37,46 +46,71 @@ class JambSettings:
         2.0, "Points further within the hole than their neighbours, in units of their scatter, are mixed."
     )
     fewest_points: int = judged(5, "With fewer points no jamb is recognised.")
+    deepest_m: float = physical(0.6, "Jambs are hardly deeper than walls are thick.")
+    beside_spacings: float = judged(2.0, "Points farther from the wall are not on a jamb.")
+    least_spread_m: float = physical(0.03, "The points of a jamb differ in depth by this at least.")
 
 
 @dataclass(frozen=True)
-class HoleSettings:
-    """Holes in a wall, and what was seen through them."""
+class EdgeSettings:
+    """A straight edge of an outline."""
 
-    farthest_m: float = judged(6.0, "Points further behind the wall are not used to classify its holes.")
-    filled: float = judged(0.5, "A recess has a surface behind at least this part of it; an opening has not.")
-    jambs: float = judged(0.1, "An opening has points close behind the wall along this part of its border.")
-    jamb_depth_m: float = physical(
-        0.5, "Walls are about this thick; what is deeper may have been seen through a window beside the hole."
-    )
-    cell_spacings: float = judged(
-        3.0, "Side of the cells that count the area with points behind a hole; smaller ones may miss points."
-    )
-    mouth: float = judged(
-        0.45, "Largest part of the circumference of a gate that lies on the foot of the wall."
-    )
-
-
-@dataclass(frozen=True)
-class ShapeSettings:
-    """Rectangles and arches, and the standard deviations of their sides."""
-
-    rounds: int = judged(8, "Rounds of a robust fit, and of moving the sides of a shape to the border.")
+    fewest: int = judged(4, "With fewer crossings of its border an edge is not measured.")
     corner_gaps: float = judged(
         2.0, "Nearer to a corner than this many gaps, the border is rounded and belongs to no side."
     )
-    tolerance: float = judged(
-        1.8, "A shape is accepted if its rms is at most this many times the expected one."
+    window_gaps: float = judged(1.5, "The border of a straight edge scatters over a gap, and a little more.")
+    window_sigmas: float = statistical(3.0, "And by the noise of the points.")
+    most_stations: int = judged(200, "Stations along an edge at which its position is asked for.")
+    step_spacings: float = judged(2.0, "At a station of this length an edge has a point, in spacings.")
+    agreeing: float = judged(0.6, "An edge is measured if this part of its stations agrees on its position.")
+    extent: float = judged(0.4, "The agreeing stations reach over this part of it.")
+    rounds: int = judged(8, "Rounds of a robust mean; its weights change little after them.")
+    systematic_m: float = physical(
+        0.001, "Laser spots that hit an edge are averaged; no number of them makes an edge more certain."
     )
-    outliers: float = judged(0.15, "Part of the border that may lie off a shape because something hides it.")
-    outlying: float = statistical(4.0, "Expected deviations beyond which a part of the border lies off.")
+    uncorrected: float = judged(
+        0.15, "Of the spacing, what the mean distance between the last points and the edge is uncertain by."
+    )
+    flush_gaps: float = judged(
+        0.75, "Points of a jamb that starts at the wall are nearer than this many gaps to where it ends."
+    )
     scattered: float = statistical(
         1.5,
         "The scatter along an edge is estimated from few points; this factor keeps chance from adding to it.",
     )
-    gain: float = judged(
-        0.8, "An arch must lower the rms to this part of that of a rectangle, the simpler shape."
-    )
+
+
+@dataclass(frozen=True)
+class HeadSettings:
+    """The head of an opening."""
+
+    fewest: int = judged(6, "With fewer crossings a head cannot be recognised.")
+    flat_extent: float = judged(0.7, "A head that is level over this part of its width is flat.")
+    widest: float = judged(0.5, "The border of a head is seen over this part of its width.")
+    steepest: float = physical(0.7, "Sloped heads follow stairs and roofs, up to 35 degrees.")
+    flattest: float = judged(8.0, "An arc of a larger radius, in half widths, is flat.")
+    semicircle: float = judged(0.04, "An arc whose radius exceeds half the width by less is a semicircle.")
+    outlying: float = statistical(4.0, "Expected deviations beyond which a part of the border lies off.")
+    consistent: float = judged(1.5, "A head whose mean squared deviation is below this explains the border.")
+    gain: float = judged(0.7, "A less simple head must lower the mean squared deviation to this part.")
+    agreeing: float = judged(0.5, "A head agrees with this part of the border above.")
+
+
+@dataclass(frozen=True)
+class ShapeSettings:
+    """Which outlines are regular."""
+
+    rounds: int = judged(3, "Rounds of fitting the four sides, whose ends depend on each other.")
+    near: float = judged(0.35, "A side is looked for within this part of the width or height from its start.")
+    outlying_gaps: float = judged(3.0, "Farther from an outline than this many gaps, the border lies off.")
+    outlying_m: float = judged(0.03, "Old jambs and sills are straight within this.")
+    contradicted: float = judged(0.2, "A shape is accepted if no more of the border lies off.")
+    most_contradicted: float = judged(0.4, "More may lie off where the area is the same.")
+    alike: float = judged(0.8, "Areas are the same with this intersection over union.")
+    fewest_sides: int = judged(2, "With fewer measured sides an outline is free.")
+    round_box: float = judged(0.85, "The box of a circle is as wide as high.")
+    round_deviation: float = judged(3.0, "Half of the border of a circle is nearer, in expected deviations.")
 
 
 @dataclass(frozen=True)
@@ -100,7 +134,8 @@ class OutlineSettings:
 
     border: BorderSettings = BorderSettings()
     jambs: JambSettings = JambSettings()
-    holes: HoleSettings = HoleSettings()
+    edges: EdgeSettings = EdgeSettings()
+    heads: HeadSettings = HeadSettings()
     shapes: ShapeSettings = ShapeSettings()
     wall: WallSettings = WallSettings()
     alpha_spacings: float = judged(

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from shapely.geometry import MultiPolygon
+from shapely.geometry import MultiPolygon, Polygon
+from skimage.measure import points_in_poly
 
 from ...geometry.triangulation import Mesh, triangulate
 from ..settings import FacadeSettings
@@ -78,3 +79,19 @@ def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = F
     sizes = np.bincount(mesh.triangles[kept].ravel(), np.repeat(mesh.areas[kept], 3) / 3, len(rows))
     alpha = float(np.median(alphas)) if len(alphas) else 0.0
     return Surface(rows, mesh, mesh.sides_of(kept), sizes, outline_of(mesh, kept), alpha)
+
+
+def within(polygon: Polygon, points: np.ndarray) -> np.ndarray:
+    """Return which points, shape (n, 2), lie in a polygon."""
+    if polygon.is_empty:
+        return np.zeros(len(points), bool)
+    left, bottom, right, top = polygon.bounds
+    inside = ((points >= (left, bottom)) & (points <= (right, top))).all(axis=1)
+    near = points[inside]
+    held = np.zeros(len(near), bool)
+    for part in getattr(polygon, "geoms", [polygon]):
+        # A ring inverts the points within it: those in a hole are inverted twice.
+        for ring in (part.exterior, *part.interiors):
+            held ^= points_in_poly(near, np.array(ring.coords)[:, :2])
+    inside[inside] = held
+    return inside

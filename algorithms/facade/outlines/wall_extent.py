@@ -7,7 +7,6 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from ..elevation import COLOURED, PROJECTION
-from .holes import Hole
 from .settings import WallSettings
 from .surface import Surface
 
@@ -30,7 +29,6 @@ class WholeWall:
 
 def complete(
     wall: Surface,
-    holes: list[Hole],
     outlines: dict[str, list[Polygon]],
     deepest: float,
     smallest: float,
@@ -41,7 +39,6 @@ def complete(
     Parameters
     ----------
     wall : Surface
-    holes : list of Hole
     outlines : dict of str to list of Polygon
         Of the details, by their kinds.
     deepest : float
@@ -54,15 +51,15 @@ def complete(
     before = unary_union(outlines.get(PROJECTION, []))
     shells = [Polygon(part.exterior) for part in wall.outline.geoms if part.area >= smallest]
     seen = unary_union([part.simplify(smooth) for part in shells] + [before])
-    hidden = [hole.polygon.simplify(smooth) for hole in holes if hole.kind is None]
-    hidden += _strips(seen, before, deepest, wall.spacing, settings)
-    unseen = unary_union(hidden).difference(before)
-    # Slivers beside a projection are narrower than what was seen around them.
-    unseen = unseen.buffer(-wall.spacing, join_style=2).buffer(wall.spacing, join_style=2)
-    large = tuple(part for part in parts_of(unseen) if part.area >= smallest)
     holed = [
         outline for kind, own in outlines.items() if kind not in (COLOURED, PROJECTION) for outline in own
     ]
+    hidden = [Polygon(ring).simplify(smooth) for part in wall.outline.geoms for ring in part.interiors]
+    hidden += _strips(seen, before, deepest, wall.spacing, settings)
+    unseen = unary_union(hidden).difference(unary_union([before, *holed]))
+    # Slivers beside a projection are narrower than what was seen around them.
+    unseen = unseen.buffer(-wall.spacing, join_style=2).buffer(wall.spacing, join_style=2)
+    large = tuple(part for part in parts_of(unseen) if part.area >= smallest)
     edge = unary_union([seen, *large, *holed])
     edge = edge.buffer(settings.notch_spacings * wall.spacing, join_style=2)
     back = settings.smooth_spacings - settings.notch_spacings

@@ -18,7 +18,14 @@ DECIMALS = {
     "depth": 4,
     "u": 4,
     "v": 4,
+    "std_left": 5,
+    "std_right": 5,
+    "std_bottom": 5,
+    "std_top": 5,
+    "wall_depth": 4,
 }
+OWN = ("width", "height", "sill", "area", "width_std", "height_std", "depth")
+"""Numbers that a detail has by the same name."""
 
 
 def write_schedule(path: Path, elevation: Elevation) -> None:
@@ -30,13 +37,19 @@ def write_schedule(path: Path, elevation: Elevation) -> None:
         If the file cannot be written.
     """
     frame = frame_values(elevation.frame)
-    columns = ["id", "kind", "shape", *DECIMALS, "points", *frame]
+    columns = ["id", "kind", "shape", *DECIMALS, "use", "head", "measured", "open_side", "points", *frame]
     rows = [
         {
             "id": detail.number,
             "kind": detail.kind,
             "shape": detail.shape,
-            **{name: getattr(detail, name) for name in list(DECIMALS)[:-2]},
+            **{name: getattr(detail, name) for name in OWN},
+            **{f"std_{name}": deviation for name, deviation in vars(detail.edges).items()},
+            "wall_depth": detail.layer,
+            "use": detail.use,
+            "head": detail.head,
+            "measured": " ".join(detail.measured),
+            "open_side": " ".join(detail.open_sides),
             "u": detail.outline.centroid.x,
             "v": detail.outline.centroid.y,
             "points": detail.points,

@@ -1,6 +1,7 @@
 """The planes of a facade and their points, without ground, side walls and trees."""
 
 from dataclasses import replace
+from typing import Optional
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from ..elevation import Plane, Points, Segmentation
 from .patches import Patch, extract, make_patch
 from .ransac import refit
 from .settings import FitSettings, PlaneSettings
+from .side import AUTOMATIC, EAST, Side, find_side
 from .voxels import Voxels, make_voxels
 
 NONE, OTHER = 0, -1
@@ -22,6 +24,8 @@ def find_planes(
     distance: float,
     settings: PlaneSettings = PlaneSettings(),
     progress: Progress = Progress(),
+    side: int = AUTOMATIC,
+    wanted: Optional[Plane] = None,
 ) -> Segmentation:
     """Find the main plane of a facade and the secondary planes on it, and assign the points.
 
@@ -35,29 +39,40 @@ def find_planes(
         ds, the largest distance of a point from its plane (m).
     settings : PlaneSettings
     progress : Progress
+    side : int
+        SIDE: `AUTOMATIC`, `EAST` or `WEST`.
+    wanted : Plane, optional
+        About the main plane, if it is not to be the largest one.
 
     Raises
     ------
     NothingFoundError
         If there is no upright plane.
     """
-    axes = _axes_of_facade(points.xyz, distance, settings)
+    axes = _axes_of_facade(points.xyz, distance, settings, wanted)
     progress.update(0.3)
-    found = _in_frame(points.xyz @ axes.T, distance, settings, progress)
+    if side != AUTOMATIC and (axes[1, 0] > 0) != (side == EAST):
+        axes[:2] = -axes[:2]
+    scanners = None if points.stations is None else (points.stations @ axes.T)[points.scan]
+    if wanted is not None:
+        wanted = replace(wanted, normal=axes @ wanted.normal, centre=axes @ wanted.centre)
+    found = _in_frame(points.xyz @ axes.T, scanners, side == AUTOMATIC, distance, settings, progress, wanted)
     planes = tuple(
         replace(plane, normal=plane.normal @ axes, centre=plane.centre @ axes) for plane in found.planes
     )
-    return Segmentation(planes, found.labels)
+    return replace(found, planes=planes)
 
 
-def _axes_of_facade(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> np.ndarray:
+def _axes_of_facade(
+    xyz: np.ndarray, distance: float, settings: PlaneSettings, wanted: Optional[Plane]
+) -> np.ndarray:
     """Return x along the main plane, y at right angles to it and z up, as rows, shape (3, 3).
 
     Cubes along the wall are the same in every orientation of the site, and so are the planes.
     """
     coarse = settings.coarse * distance
     patches = extract(make_voxels(xyz, coarse, settings.voxels), distance, settings)
-    main = _largest_upright(patches, xyz, distance, settings)
+    main = _largest_upright(patches, xyz, distance, settings, wanted)
     near = xyz[np.abs(main.heights(xyz)) <= coarse]
     normal, anchor = refit(
         near, main.normal, main.anchor, settings.fit.vote * distance, settings=settings.fit
@@ -71,20 +86,43 @@ def _axes_of_facade(xyz: np.ndarray, distance: float, settings: PlaneSettings) -
 
 
 def _largest_upright(
-    patches: list[Patch], xyz: np.ndarray, distance: float, settings: PlaneSettings
+    patches: list[Patch],
+    xyz: np.ndarray,
+    distance: float,
+    settings: PlaneSettings,
+    wanted: Optional[Plane] = None,
 ) -> Patch:
     steepest = np.sin(np.radians(settings.upright_deg))
     upright = [patch for patch in patches if abs(patch.normal[2]) < steepest]
     if not upright:
         raise NothingFoundError(_nothing(xyz, distance, settings))
-    return max(upright, key=lambda patch: patch.area)
+    alike = [patch for patch in upright if wanted is not None and _is_alike(patch, wanted, settings)]
+    return max(alike or upright, key=lambda patch: patch.area)
 
 
-def _in_frame(xyz: np.ndarray, distance: float, settings: PlaneSettings, progress: Progress) -> Segmentation:
+def _is_alike(patch: Patch, wanted: Plane, settings: PlaneSettings) -> bool:
+    """Whether a plane lies and faces about as a wanted one does."""
+    facing = abs(patch.normal @ wanted.normal) > np.cos(np.radians(settings.alike_deg))
+    away = np.median(wanted.distances(patch.centres_of_squares()))
+    return bool(facing and abs(away) <= settings.alike_m)
+
+
+def _in_frame(
+    xyz: np.ndarray,
+    scanners: Optional[np.ndarray],
+    automatic: bool,
+    distance: float,
+    settings: PlaneSettings,
+    progress: Progress,
+    wanted: Optional[Plane],
+) -> Segmentation:
     voxels = make_voxels(xyz, distance, settings.voxels)
     progress.update(0.4, f"{len(xyz)} points are in {len(voxels.centres)} cubes of {voxels.size:.3f} m.")
     every = extract(voxels, distance, settings)
-    main = _facing_scanner(_largest_upright(every, xyz, distance, settings), voxels.centres, settings)
+    main = _largest_upright(every, xyz, distance, settings, wanted)
+    main = main if main.normal[1] > 0 else main.flipped()
+    side = _side(main, xyz, scanners, distance, settings) if automatic else Side(1, 1.0, "SIDE says so")
+    main = main if side.sign > 0 else main.flipped()
     progress.update(0.6, f"The main plane covers {main.area:.1f} m².")
     competitors = [patch for patch in every if not _is_facade(patch, main, settings)]
     secondary = _secondary(xyz, main, competitors, distance, settings)[: max(settings.max_planes - 1, 0)]
@@ -94,7 +132,7 @@ def _in_frame(xyz: np.ndarray, distance: float, settings: PlaneSettings, progres
     before = [_is_before(patch, main) for patch in competitors]
     others = np.array([NONE, *range(1, len(patches) + 1), *np.where(before, OTHER, NONE)], np.int16)
     labels = others[labels]
-    return _largest_first(xyz, patches, labels, settings, progress)
+    return _largest_first(xyz, patches, labels, side, settings, progress)
 
 
 def _nothing(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> str:
@@ -110,14 +148,19 @@ def _nothing(xyz: np.ndarray, distance: float, settings: PlaneSettings) -> str:
     )
 
 
-def _facing_scanner(main: Patch, centres: np.ndarray, settings: PlaneSettings) -> Patch:
-    """Return the patch with its normal towards the side with more voxels."""
-    own = (main.centres_of_squares() - main.anchor) @ main.axes.T
-    places = (centres - main.anchor) @ main.axes.T
-    low, high = own.min(axis=0) - settings.around_m, own.max(axis=0) + settings.around_m
-    heights = main.heights(centres[((places > low) & (places < high)).all(axis=1)])
-    before, behind = np.sum(heights > settings.far_m), np.sum(heights < -settings.far_m)
-    return main.flipped() if behind > before else main
+def _side(
+    main: Patch,
+    xyz: np.ndarray,
+    scanners: Optional[np.ndarray],
+    distance: float,
+    settings: PlaneSettings,
+) -> Side:
+    """Return from which side of its plane the facade is seen; scanners in the coordinates of the points."""
+    uvw = np.column_stack([(xyz - main.anchor) @ main.axes.T, main.heights(xyz)])
+    wall = np.abs(uvw[:, 2]) <= distance
+    wall[wall] = main.covers(xyz[wall])
+    heights = np.full(len(xyz), np.nan) if scanners is None else main.heights(scanners)
+    return find_side(uvw, wall, heights, settings.side)
 
 
 def _is_facade(patch: Patch, main: Patch, settings: PlaneSettings) -> bool:
@@ -185,7 +228,12 @@ def _assign(
 
 
 def _largest_first(
-    xyz: np.ndarray, patches: list[Patch], labels: np.ndarray, settings: PlaneSettings, progress: Progress
+    xyz: np.ndarray,
+    patches: list[Patch],
+    labels: np.ndarray,
+    side: Side,
+    settings: PlaneSettings,
+    progress: Progress,
 ) -> Segmentation:
     """Return the planes with enough points, the main one first, then by falling number of points."""
     counts = np.bincount(labels[labels > 0], minlength=len(patches) + 1)
@@ -201,7 +249,7 @@ def _largest_first(
         renamed[old] = new
     labels = renamed[labels]
     planes = tuple(_plane(patches[old - 1], xyz[labels == new]) for new, old in enumerate(order, start=1))
-    return Segmentation(planes, labels)
+    return Segmentation(planes, labels, side)
 
 
 def _plane(patch: Patch, xyz: np.ndarray) -> Plane:

@@ -47,6 +47,31 @@ class FitSettings:
 
 
 @dataclass(frozen=True)
+class SideSettings:
+    """From which side a facade is seen."""
+
+    pixel_m: float = judged(
+        0.08, "Pixels that compare the wall with what lies beside it; at 5 cm spacing each still has a point."
+    )
+    nearest_m: float = physical(0.1, "Nearer points may be on the wall itself, or on its mouldings.")
+    farthest_m: float = physical(
+        1.5,
+        "Farther points are seen at a slant, so that they no longer project into the hole they are seen in.",
+    )
+    far_m: float = judged(0.5, "If nothing else decides, the side with more points farther off is the front.")
+    least_difference: float = judged(
+        0.1, "If the shares of the two sides that lie on the wall differ by less, holes show no side."
+    )
+    fewest_pixels: int = judged(10, "Fewer pixels beside the wall are chance and hardly count.")
+    thinnest_m: float = physical(0.15, "Outer walls between street and room are not thinner.")
+    thickest_m: float = physical(0.9, "Walls are hardly thicker; what lies farther off is another wall.")
+    flat_m: float = judged(0.03, "Half of the range within which the points of a face lie.")
+    covered: float = judged(0.05, "An inner face covers at least this part of the wall.")
+    clearer: float = judged(4.0, "It covers this many times what a parallel face on the other side covers.")
+    doubtful: float = judged(0.3, "Below this certainty the user is asked to check the side.")
+
+
+@dataclass(frozen=True)
 class PlaneSettings:
     """What a plane of a facade is.
 
@@ -62,6 +87,7 @@ class PlaneSettings:
     max_planes: int = 10
     voxels: VoxelSettings = VoxelSettings()
     fit: FitSettings = FitSettings()
+    side: SideSettings = SideSettings()
     cell_m: float = judged(
         0.25, "Side of the squares that say where a plane has points; its extent is known this well."
     )
@@ -78,6 +104,8 @@ class PlaneSettings:
     facing_deg: float = judged(
         60.0, "Planes at a larger angle to the main one belong to its returns or side walls."
     )
+    alike_deg: float = judged(10.0, "A wall that was found before faces this nearly the same way.")
+    alike_m: float = judged(0.3, "A wall that was found before lies this near; its inner face is farther.")
     depth_m: float = physical(
         1.0,
         "A facade reaches this far in front of and behind its main plane: bays, cornices, doors, panes.",
@@ -90,13 +118,6 @@ class PlaneSettings:
     )
     fewest_points: int = judged(
         100, "Least MIN_POINTS, if it is not given; fewer remaining points are not searched for planes."
-    )
-    far_m: float = judged(
-        0.5,
-        "Points further from the main plane show on which side the street is; nearer ones are the facade.",
-    )
-    around_m: float = judged(
-        2.0, "Points further beyond the ends of the main plane do not show where its front is."
     )
     coarse: float = judged(
         2.0, "Cubes in which the main plane is first searched, in units of ds; finer cost time."

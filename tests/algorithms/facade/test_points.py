@@ -73,6 +73,19 @@ def test_the_scans_of_an_e57_are_distinguished(tmp_path):
     assert np.bincount(points.scan).tolist() == [10, 4]
 
 
+def test_scanners_stand_where_the_poses_of_their_scans_say(tmp_path):
+    cells = np.random.default_rng(0).uniform(1, 2, (10, 4))
+    moved = np.array([[0, -1, 0, 7.0], [1, 0, 0, 8.0], [0, 0, 1, 9.0], [0, 0, 0, 1]])
+    points = read_points(open_cloud([write_ptx(tmp_path / "a.ptx", (cells, moved), cells)]))
+
+    np.testing.assert_allclose(points.stations[0] + points.origin, (7, 8, 9))
+    assert np.isnan(points.stations[1]).all()
+
+
+def test_without_poses_no_scanner_is_known(tmp_path):
+    assert read_points(open_cloud([las(tmp_path / "a.laz")])).stations is None
+
+
 def test_more_points_than_asked_for_are_thinned_the_same_in_any_order(tmp_path):
     xyz = np.random.default_rng(0).uniform(0, 1, (4000, 3)) * (1, 0.002, 1)
     write_ply(tmp_path / "a.ply", xyz)

@@ -13,10 +13,10 @@ def test_every_constant_has_a_reason_in_a_sentence():
 
 
 def test_paths_lead_to_the_constants_of_the_stages():
-    changed = with_constant(FacadeSettings(), ("outlines", "holes", "filled"), 0.7)
+    changed = with_constant(FacadeSettings(), ("openings", "content", "filled"), 0.7)
 
-    assert changed.outlines.holes.filled == 0.7
-    assert FacadeSettings().outlines.holes.filled == 0.5
+    assert changed.openings.content.filled == 0.7
+    assert FacadeSettings().openings.content.filled == 0.5
 
 
 def test_the_smallest_detail_is_a_square_of_the_seed_radius_unless_given():

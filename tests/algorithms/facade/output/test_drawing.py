@@ -1,31 +1,59 @@
 """The drawing: true to scale, with its position in the site."""
 
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import MissingPackageError
-from ichnograph.algorithms.facade.output.drawing import write_drawing
+from ichnograph.algorithms.facade.elevation import KINDS
+from ichnograph.algorithms.facade.output.drawing import layer_of, write_drawing
 from ichnograph.tests.algorithms.facade.samples import small_elevation
+from ichnograph.tests.scenes.facades.streets.openings import round_arch
 
 TOLERANCE = 1e-5
 """A hundredth of a millimetre (m)."""
 
 
-def test_the_drawing_is_true_to_scale_with_a_layer_for_each_kind(tmp_path):
+@pytest.fixture
+def document(tmp_path):
     ezdxf = pytest.importorskip("ezdxf", reason="ezdxf is not installed")
     write_drawing(tmp_path / "drawing.dxf", small_elevation())
-    document = ezdxf.readfile(tmp_path / "drawing.dxf")
-    outlines = {
-        line.dxf.layer: np.array(line.get_points("xy")) for line in document.modelspace().query("LWPOLYLINE")
-    }
+    return ezdxf.readfile(tmp_path / "drawing.dxf")
+
+
+def test_the_drawing_is_true_to_scale_with_a_layer_for_each_kind(document):
+    lines = document.modelspace().query("LWPOLYLINE")
+    outlines = {line.dxf.layer: np.array(line.get_points("xy")) for line in lines}
 
     assert not document.audit().errors
     assert document.header["$INSUNITS"] == 6
-    assert set(outlines) == {"WALL", "UNSEEN", "OPENING", "RAW"}
+    assert set(outlines) == {"WALL", "UNSEEN", "OPENING", "RAW", "LEVELS"}
+    assert all(line.closed for line in lines if line.dxf.layer != "LEVELS")
+    assert {layer_of(kind) for kind in KINDS} <= {layer.dxf.name for layer in document.layers}
     np.testing.assert_allclose(np.ptp(outlines["OPENING"], axis=0), (1.0, 1.5))
-    (text,) = document.modelspace().query("TEXT")
-    assert (text.dxf.text, text.dxf.layer) == ("1", "TEXT")
+    (number,) = document.modelspace().query("TEXT[layer=='TEXT']")
+    assert number.dxf.text == "1"
+
+
+def test_arches_are_drawn_as_lines_and_arcs(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf is not installed")
+    elevation = small_elevation()
+    arch = replace(elevation.details[0], outline=round_arch(1.0, 1.0, 1.0, 1.5))
+    write_drawing(tmp_path / "drawing.dxf", replace(elevation, details=(arch,)))
+    model = ezdxf.readfile(tmp_path / "drawing.dxf").modelspace()
+    (outline,) = model.query("LWPOLYLINE[layer=='OPENING']")
+    assert len(outline) == 4 and max(np.abs(outline.get_points("b"))) == pytest.approx(1, abs=1e-3)
+
+
+def test_programs_open_the_drawing_at_its_size(document):
+    low, high = np.array(document.header["$EXTMIN"]), np.array(document.header["$EXTMAX"])
+    assert np.all(low[:2] <= 0) and np.all(high[:2] >= (4, 3))
+    assert np.all(high[:2] - low[:2] < 8)
+
+
+def test_raw_outlines_are_switched_off(document):
+    assert document.layers.get("RAW").is_off()
 
 
 def test_the_drawing_knows_its_place_in_the_site(tmp_path):

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import Plane, Segmentation
 from ichnograph.algorithms.facade.output.plane_layers import PLANE_FIELDS, write_planes
+from ichnograph.algorithms.facade.planes.side import Side
 from ichnograph.tests.algorithms.facade.samples import bare, upright
 from rasterio.crs import CRS
 from shapely.geometry import shape
@@ -19,7 +20,13 @@ def written(tmp_path):
     points = bare(np.concatenate([wall, tree]), ORIGIN)
     labels = np.repeat([1, 0], [len(wall), len(tree)]).astype(np.int16)
     plane = Plane(np.array([0.0, -1.0, 0.0]), wall.mean(axis=0), 0.0, len(wall))
-    write_planes(tmp_path / "planes.gpkg", points, Segmentation((plane,), labels), 0.05, CRS.from_epsg(25833))
+    write_planes(
+        tmp_path / "planes.gpkg",
+        points,
+        Segmentation((plane,), labels, Side(1, 1.0, "")),
+        0.05,
+        CRS.from_epsg(25833),
+    )
     with fiona.open(tmp_path / "planes.gpkg") as layer:
         (feature,) = layer
         return shape(feature["geometry"]), dict(feature["properties"])

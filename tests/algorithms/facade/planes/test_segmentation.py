@@ -1,5 +1,7 @@
 """The planes of a facade: apart from each other and from what stands before them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,6 +9,7 @@ from hypothesis import strategies as st
 from ichnograph.algorithms.errors import NothingFoundError
 from ichnograph.algorithms.facade.planes.segmentation import find_planes
 from ichnograph.algorithms.facade.planes.settings import PlaneSettings
+from ichnograph.algorithms.facade.planes.side import EAST, WEST
 from ichnograph.tests.algorithms.facade.samples import bare, lattice, upright
 from ichnograph.tests.scenes.facades import FACADES
 
@@ -50,6 +53,22 @@ def test_street_side_wall_and_tree_are_outside_the_planes_of_the_facade():
     assert (labels[away & (which == 2)] < 0).mean() > 0.99
     assert (labels[away & (which == 3) & (xyz[:, 2] > 0.1)] < 0).mean() > 0.99
     assert (labels[(which == 4)] > 0).mean() < 0.01
+
+
+@pytest.mark.parametrize(("side", "east"), [(EAST, 1), (WEST, -1)])
+def test_a_given_side_is_taken(side, east):
+    xyz, _ = site()
+    turned = np.column_stack([-xyz[:, 1], xyz[:, 0], xyz[:, 2]])
+    found = find_planes(bare(turned), DISTANCE, side=side)
+
+    assert found.planes[0].normal @ (east, 0, 0) > 0.999
+
+
+def test_the_position_of_the_scanner_decides_the_side():
+    xyz, _ = site()
+    for y in (-9.0, 9.0):
+        points = replace(bare(xyz), stations=np.array([(3.0, y, 1.7)]))
+        assert np.sign(find_planes(points, DISTANCE).planes[0].normal[1]) == np.sign(y)
 
 
 def test_a_panel_before_the_wall_is_a_plane_of_its_own():

@@ -1,0 +1,120 @@
+"""The layers of a facade: its main wall, and parallel parts of it in front and behind."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from ..planes.voxels import make_voxels
+from .grid import Grid, beyond
+from .settings import LayerSettings, SurfaceSettings
+from .wall_surface import WallSurface, fit_surface
+
+
+@dataclass(frozen=True)
+class Layer:
+    """A part of a facade.
+
+    Attributes
+    ----------
+    surface : WallSurface
+    depth : float
+        Median distance in front of the main wall; negative behind it, 0 for itself (m).
+    image : ndarray of bool, shape (rows, columns)
+        The pixels with points of it.
+    """
+
+    surface: WallSurface
+    depth: float
+    image: np.ndarray
+
+
+def find_layers(
+    uvw: np.ndarray,
+    main: WallSurface,
+    grid: Grid,
+    cells: np.ndarray,
+    limits: tuple[LayerSettings, SurfaceSettings] = (LayerSettings(), SurfaceSettings()),
+) -> list[Layer]:
+    """Return the layers of a facade, the main wall first, then by falling area.
+
+    Parts in front count if the main wall is not seen behind them. Parts behind count if moreover the main
+    wall does not enclose them on three sides, as it encloses what is seen through an opening.
+
+    Parameters
+    ----------
+    uvw : ndarray of float64, shape (n, 3)
+        Of all points.
+    main : WallSurface
+    grid : Grid
+    cells : ndarray of int64, shape (n,)
+        The pixel of each point.
+    limits : tuple of LayerSettings and SurfaceSettings
+    """
+    settings, _ = limits
+    above = main.above(uvw)
+    wall = grid.holds(cells[np.abs(above) <= main.tolerance])
+    layers = [Layer(main, 0.0, wall)]
+    closed = ndimage.binary_closing(wall, np.ones((3, 3)))
+    near = (cells >= 0) & (above < settings.before_m) & (above > -settings.behind_m)
+    rows = np.flatnonzero(near & (np.abs(above) > main.tolerance))
+    for part in _flat_parts(np.column_stack([uvw[rows, :2], above[rows]]), settings):
+        layer = _layer(uvw, rows[part], main, grid, cells, limits)
+        if layer is not None and _belongs(layer, closed, grid, settings):
+            layers.append(layer)
+    return layers
+
+
+def _flat_parts(uvw: np.ndarray, settings: LayerSettings) -> list[np.ndarray]:
+    """Return the points of each connected surface that faces as the wall does, the largest first."""
+    if len(uvw) < settings.smallest_m2 / settings.cube_m**2:
+        return []
+    voxels = make_voxels(uvw, settings.cube_m)
+    flat = np.flatnonzero(np.abs(voxels.normals[:, 2]) >= settings.cosine)
+    if not len(flat):
+        return []
+    stretch = np.array([1.0, 1.0, settings.reach_cubes / settings.step]) / voxels.size
+    pairs = cKDTree(voxels.centres[flat] * stretch).query_pairs(settings.reach_cubes, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs)), tuple(pairs.T)), shape=(len(flat), len(flat)))
+    _, parts = connected_components(links, directed=False)
+    areas = np.bincount(parts) * voxels.size**2
+    of_cube = np.full(len(voxels.centres), -1)
+    of_cube[flat] = parts
+    of_point = of_cube[voxels.of_point]
+    large = np.flatnonzero(areas >= settings.smallest_m2)
+    return [np.flatnonzero(of_point == part) for part in large[np.argsort(-areas[large], kind="stable")]]
+
+
+def _layer(
+    uvw: np.ndarray,
+    rows: np.ndarray,
+    main: WallSurface,
+    grid: Grid,
+    cells: np.ndarray,
+    limits: tuple[LayerSettings, SurfaceSettings],
+) -> "Layer | None":
+    settings, surfaces = limits
+    offset = float(np.median(main.above(uvw[rows])))
+    surface = fit_surface(uvw[rows], 2 * main.tolerance, surfaces)
+    slopes = surface.coefficients[1:3] - main.coefficients[1:3]
+    if np.hypot(*slopes) > settings.steepest:
+        return None
+    own = rows[np.abs(surface.above(uvw[rows])) <= surface.tolerance]
+    image = grid.holds(cells[own])
+    if image.sum() * grid.size**2 < 0.5 * settings.smallest_m2:
+        return None
+    return Layer(surface, offset, image)
+
+
+def _belongs(layer: Layer, wall: np.ndarray, grid: Grid, settings: LayerSettings) -> bool:
+    """Whether a surface is part of the facade, and not in front of it or seen through it."""
+    whole = max(int(layer.image.sum()), 1)
+    if (layer.image & wall).sum() > settings.covered * whole:
+        return False
+    if layer.depth > 0:
+        return True
+    around = beyond(wall).sum(axis=0) >= 3
+    return bool((layer.image & around).sum() <= settings.enclosed * whole)

@@ -1,0 +1,102 @@
+"""Settings of the search for openings."""
+
+from dataclasses import dataclass
+
+from ...settings import judged, physical, statistical
+
+
+@dataclass(frozen=True)
+class SurfaceSettings:
+    """The surface of a wall, which leans and bulges."""
+
+    cell_m: float = judged(0.25, "Squares whose median depths the surface is fitted to, so that area counts.")
+    fewest_points: int = judged(5, "Squares with fewer points have no reliable median.")
+    fewest_cells: int = judged(30, "A surface has 6 coefficients; with fewer squares it is a plane.")
+    rounds: int = judged(20, "Rounds of the robust fit; its weights change little after them.")
+    sigmas: float = statistical(3.0, "Points within three standard deviations of the surface are wall.")
+    least_m: float = physical(0.015, "Plaster, joints and the noise of scanners scatter by at least this.")
+
+
+@dataclass(frozen=True)
+class LayerSettings:
+    """Parallel parts of a facade in front of its main wall and behind it."""
+
+    smallest_m2: float = judged(1.5, "Smaller surfaces are leaves of doors, panes, blocks and signs.")
+    cube_m: float = judged(0.1, "Side of the cubes whose normals show which points face as the wall does.")
+    cosine: float = physical(0.94, "Normals of single cubes are not sharp: up to 20 degrees off the wall's.")
+    steepest: float = physical(0.12, "Parts that are more oblique, 7 degrees, are not parallel to the wall.")
+    reach_cubes: float = judged(2.2, "Cubes are neighbours up to this distance, in sides of a cube.")
+    step: float = judged(0.35, "Neighbours differ in depth by at most this part of the side of a cube.")
+    before_m: float = physical(1.6, "Bays and balconies project up to this; what is farther is the street.")
+    behind_m: float = physical(3.0, "Storeys are set back up to this; what is farther is another building.")
+    covered: float = judged(
+        0.3, "A part over which more of the main wall is seen is no part of the facade: a car, a room."
+    )
+    enclosed: float = judged(
+        0.5, "If this part of it has the main wall on three sides, it was seen through an opening."
+    )
+    open_m: float = judged(
+        3.0, "The main wall encloses what is at most this far from it; a storey set back is wider."
+    )
+
+
+@dataclass(frozen=True)
+class StateSettings:
+    """What is seen in each pixel of an elevation."""
+
+    pixel_spacings: float = judged(
+        1.5,
+        "Side of a pixel; smaller ones have gaps between the points of a wall, larger ones blur its edges.",
+    )
+    fullest: float = judged(
+        0.08, "Squares with a smaller part of the median number of points are at the border of the wall."
+    )
+    highest_percent: float = judged(99.5, "Above the main wall, single points do not make a facade higher.")
+    density_percent: float = judged(
+        25.0, "The spacing is that of the thinly scanned squares, of which at most this many are thinner."
+    )
+    finest_m: float = physical(0.004, "No opening is so small that smaller pixels are needed.")
+    most_pixels: int = physical(4_000_000, "More pixels need more memory and time than they are worth.")
+    farthest_m: float = physical(
+        3.0, "What is farther behind is seen at a slant and does not project into the opening it is seen in."
+    )
+    jamb_m: float = physical(0.5, "Jambs reach this far behind the wall, and less where its inner face is.")
+    before_m: float = physical(4.0, "What is farther in front is the street; nearer things hide the wall.")
+
+
+@dataclass(frozen=True)
+class RegionSettings:
+    """Regions of the elevation that may be openings."""
+
+    speck_pixels: int = judged(2, "Narrower strips of the state `behind` are noise, and edges of the wall.")
+    jambs: float = judged(
+        0.1, "An empty region is glass if this part of its rim is seen to be behind the wall."
+    )
+    hidden: float = judged(0.3, "It is hidden by something in front if this part of its rim is in front.")
+    post_m: float = physical(0.3, "Posts between the lights of one window are narrower.")
+    alike: float = judged(0.8, "Lights of one window share this part of their heights.")
+    filled: float = judged(0.65, "A region that fills less of its box may be two openings, joined at a neck.")
+    clear_neck: float = judged(0.3, "A neck narrower than this part divides a region however full it is.")
+    neck: float = judged(0.5, "A neck is narrower than this part of what it joins.")
+    narrowest_m: float = physical(0.15, "Openings are not narrower; gaps between boards and slats are.")
+    most_front: float = judged(0.5, "An opening is not hidden by more than this part.")
+
+
+@dataclass(frozen=True)
+class ContentSettings:
+    """What is seen in an opening."""
+
+    filled: float = judged(0.5, "A recess has a surface behind at least this part of it; an opening has not.")
+    near_m: float = physical(1.0, "Panes, doors and the backs of niches are not deeper in the wall.")
+    lowest_door_m: float = physical(1.6, "Doors and passages are not lower.")
+
+
+@dataclass(frozen=True)
+class OpeningSettings:
+    """From points to openings."""
+
+    surface: SurfaceSettings = SurfaceSettings()
+    layers: LayerSettings = LayerSettings()
+    states: StateSettings = StateSettings()
+    regions: RegionSettings = RegionSettings()
+    content: ContentSettings = ContentSettings()

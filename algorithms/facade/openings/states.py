@@ -1,0 +1,132 @@
+"""What is seen in each pixel of an elevation: the wall, something behind it or in front, or nothing."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from scipy import ndimage
+
+from ..planes.inner_face import Face
+from .grid import Grid, grid_over
+from .layers import Layer, find_layers
+from .settings import OpeningSettings
+from .wall_surface import fit_surface
+
+EMPTY, WALL, BEHIND, FRONT, INNER = range(5)
+
+
+@dataclass(frozen=True)
+class States:
+    """A facade in pixels.
+
+    Attributes
+    ----------
+    grid : Grid
+    image : ndarray of uint8, shape (rows, columns)
+        `EMPTY`, `WALL`, `BEHIND`, `FRONT` or `INNER`, its inner face.
+    layers : tuple of Layer
+        The main wall first.
+    nearest : ndarray of int16, shape (rows, columns)
+        The layer of each pixel, or the nearest one.
+    cells : ndarray of int64, shape (n,)
+        The pixel of each point; -1 outside.
+    above : ndarray of float64, shape (n,)
+        How far each point is in front of the layer of its pixel (m).
+    on_wall : ndarray of bool, shape (n,)
+    reveals : ndarray of bool, shape (rows, columns)
+        The pixels with points close behind the wall, as on jambs.
+    spacing : float
+        Of the points of the wall, where it was scanned thinly (m).
+    """
+
+    grid: Grid
+    image: np.ndarray
+    layers: tuple[Layer, ...]
+    nearest: np.ndarray
+    cells: np.ndarray
+    above: np.ndarray
+    on_wall: np.ndarray
+    reveals: np.ndarray
+    spacing: float
+
+
+def make_states(
+    uvw: np.ndarray,
+    wall: np.ndarray,
+    distance: float,
+    inner: Optional[Face] = None,
+    settings: OpeningSettings = OpeningSettings(),
+) -> States:
+    """Return what is seen in each pixel of a facade.
+
+    Parameters
+    ----------
+    uvw : ndarray of float64, shape (n, 3)
+        Of all points, w towards the viewer.
+    wall : ndarray of bool, shape (n,)
+        The points of the main plane.
+    distance : float
+        ds of the paper: no point of the wall is farther from its surface (m).
+    inner : Face, optional
+        The inner face of the wall, if it was seen.
+    settings : OpeningSettings
+    """
+    limits = settings.states
+    spacing = _spacing(uvw[wall, :2], settings)
+    size = max(limits.pixel_spacings * spacing, limits.finest_m)
+    grid = grid_over(_extent(uvw, wall, settings), size, limits.most_pixels)
+    cells = grid.cells(uvw[:, :2])
+    main = fit_surface(uvw[wall], distance, settings.surface)
+    layers = find_layers(uvw, main, grid, cells, (settings.layers, settings.surface))
+    nearest = _nearest(layers)
+    of_point = np.where(cells >= 0, nearest.ravel()[np.maximum(cells, 0)], 0)
+    above, tolerance = np.empty(len(uvw)), np.empty(len(uvw))
+    for number, layer in enumerate(layers):
+        own = of_point == number
+        above[own], tolerance[own] = layer.surface.above(uvw[own]), layer.surface.tolerance
+    inside = cells >= 0
+    on_wall = inside & (np.abs(above) <= tolerance)
+    behind = inside & (above < -tolerance) & (above > -limits.farthest_m)
+    front = inside & (above > tolerance) & (above < limits.before_m)
+    image = np.zeros(grid.shape, np.uint8)
+    for state, points in ((FRONT, front), (BEHIND, behind), (WALL, on_wall)):
+        image[grid.holds(cells[points])] = state
+    if inner is not None:
+        own = inside & (np.abs(-uvw[:, 2] - inner.offset) <= distance)
+        image[grid.holds(cells[own]) & (image != WALL)] = INNER
+    deepest = limits.jamb_m if inner is None else min(limits.jamb_m, inner.offset - distance)
+    reveals = grid.holds(cells[behind & (above > -deepest)])
+    return States(grid, image, tuple(layers), nearest, cells, above, on_wall, reveals, spacing)
+
+
+def _extent(uvw: np.ndarray, wall: np.ndarray, settings: OpeningSettings) -> np.ndarray:
+    """Return the lower left and the upper right corner of a facade, shape (2, 2).
+
+    Its main wall says where it begins and ends; storeys that are set back may rise above it.
+    """
+    low, high = uvw[wall, :2].min(axis=0), uvw[wall, :2].max(axis=0)
+    u, v, w = uvw.T
+    above = (u > low[0]) & (u < high[0]) & (v > high[1])
+    above &= (w < settings.layers.before_m) & (w > -settings.layers.behind_m)
+    if above.any():
+        high[1] = max(high[1], float(np.percentile(v[above], settings.states.highest_percent)))
+    return np.stack([low, high])
+
+
+def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
+    """Return the spacing of the points of a wall where it was scanned thinly (m)."""
+    side = settings.surface.cell_m
+    counts = np.unique(np.floor(uv / side).astype(np.int64), axis=0, return_counts=True)[1]
+    # Squares at the border of the wall are not full.
+    full = counts[counts >= settings.states.fullest * np.median(counts)]
+    return float(side / np.sqrt(np.percentile(full, settings.states.density_percent)))
+
+
+def _nearest(layers: list[Layer]) -> np.ndarray:
+    if len(layers) == 1:
+        return np.zeros(layers[0].image.shape, np.int16)
+    numbers = np.zeros(layers[0].image.shape, np.int16)
+    for number, layer in enumerate(layers, start=1):
+        numbers[layer.image & (numbers == 0)] = number
+    nearest = ndimage.distance_transform_edt(numbers == 0, return_distances=False, return_indices=True)
+    return numbers[tuple(nearest)] - 1

@@ -1,0 +1,99 @@
+"""The report of a facade: the key plan of all facades of the cloud, and what was measured on one of them."""
+
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+
+from ...reporting.figures import COLOURS, GREY, RED
+from ...reporting.maps import Map
+from ...reporting.numbers import number
+from ...reporting.page import write_page
+from ..buildings.facades import Facade
+from ..elevation import Detail, Elevation
+from ..selection import Selection
+
+TEMPLATE = Path(__file__).parent / "templates" / "facade.html"
+
+ARROW = 1.0
+"""Length of the arrow that shows where a facade faces (m)."""
+
+DOT = 0.8
+
+
+def write_report(path: Path, selection: Selection, elevation: Elevation) -> None:
+    """Write the report as HTML.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    details = elevation.details
+    write_page(
+        path,
+        TEMPLATE,
+        chosen=None if selection.chosen is None else selection.chosen.number,
+        azimuth=elevation.frame.azimuth,
+        side=elevation.side,
+        spacing_mm=1000 * elevation.spacing,
+        wall_m2=elevation.wall.area,
+        unseen_m2=sum(area.area for area in elevation.unseen),
+        plan=_key_plan(selection) if selection.facades else "",
+        facades=[_facade_row(facade) for facade in selection.facades],
+        marked=[] if selection.chosen is None else [selection.chosen.number - 1],
+        parts=[(number(part.depth, 2), number(part.area, 1)) for part in elevation.parts],
+        details=[_detail_row(detail) for detail in details],
+        warnings=elevation.warnings,
+    )
+
+
+def _key_plan(selection: Selection) -> str:
+    """Return the plan of the cloud with its facades; the chosen one is red."""
+    facades = selection.facades
+    ends = np.concatenate([facade.ends for facade in facades])
+    with Map.around(ends + np.array([[-ARROW], [ARROW]])[np.arange(len(ends)) % 2]) as plan:
+        plan.dots(selection.even[plan.shows(selection.even)], GREY, DOT)
+        for facade in facades:
+            chosen = facade is selection.chosen
+            colour, width = (RED, 3.0) if chosen else (COLOURS[0], 2.0)
+            plan.lines(facade.ends[:1], facade.ends[1:], colour, width)
+            middle = facade.ends.mean(axis=0)
+            plan.arrows(middle[None], (middle + ARROW * facade.axes[1])[None], colour)
+        places = np.array([facade.ends.mean(axis=0) + ARROW * facade.axes[1] for facade in facades])
+        kinds = ["red" if facade is selection.chosen else "strong" for facade in facades]
+        plan.names(places, [str(facade.number) for facade in facades], kinds, leading=len(facades))
+        return plan.svg()
+
+
+def _facade_row(facade: Facade) -> tuple[str, ...]:
+    return (
+        str(facade.number),
+        number(facade.azimuth, 0),
+        number(facade.length, 1),
+        number(facade.height, 1),
+        number(facade.area, 0),
+        str(facade.planes),
+        str(facade.points),
+        "" if facade.seen is None else str(facade.seen),
+    )
+
+
+def _detail_row(detail: Detail) -> tuple[str, ...]:
+    return (
+        str(detail.number),
+        detail.kind,
+        detail.use or "",
+        detail.shape,
+        _with_std(detail.width, detail.width_std),
+        _with_std(detail.height, detail.height_std),
+        number(detail.sill, 2),
+        number(detail.depth, 2),
+        ", ".join(detail.measured),
+    )
+
+
+def _with_std(size: float, std: Optional[float]) -> str:
+    if std is None or not np.isfinite(std):
+        return f"({number(size, 3)})"
+    return f"{number(size, 3)} ± {number(1000 * std, 0)} mm"

@@ -1,0 +1,47 @@
+"""Each pixel of an elevation shows the wall, something behind it, something in front, or nothing."""
+
+import numpy as np
+from ichnograph.algorithms.facade.openings.states import BEHIND, EMPTY, FRONT, INNER, WALL
+from ichnograph.algorithms.facade.planes.inner_face import Face
+from ichnograph.tests.algorithms.facade.openings.scenes import STEP, WINDOW, pane, states_of, wall
+from ichnograph.tests.algorithms.facade.samples import at, lattice
+
+GLASS, CAR = (3.0, 1.2, 4.0, 2.4), (4.5, 0.0, 5.5, 1.0)
+
+
+def state_at(states, u, v):
+    return states.image.ravel()[states.grid.cells(np.array([(u, v)]))[0]]
+
+
+def test_each_pixel_has_the_state_of_what_is_seen_in_it():
+    states = states_of(wall(WINDOW, GLASS, CAR), pane(WINDOW), pane(CAR, 1.0))
+
+    assert state_at(states, 0.5, 0.5) == WALL
+    assert state_at(states, 1.5, 1.8) == BEHIND
+    assert state_at(states, 3.5, 1.8) == EMPTY
+    assert state_at(states, 5.0, 0.5) == FRONT
+
+
+def test_the_wall_is_seen_even_where_a_car_from_another_station_is_before_it():
+    states = states_of(wall(), pane(CAR, 1.0))
+    assert state_at(states, 5.0, 0.5) == WALL
+
+
+def test_the_inner_face_of_a_wall_is_not_seen_through_a_hole():
+    hidden = (3.0, 0.0, 4.0, 3.0)
+    room = at(lattice(0, 0, 6, 3, STEP), -0.4)
+    states = states_of(wall(hidden), room, inner=Face(0.4, 0.9))
+
+    assert state_at(states, 3.5, 1.5) == INNER
+
+
+def test_the_spacing_is_that_of_the_thinly_scanned_part():
+    dense = at(lattice(0, 0, 3, 4, STEP / 3))
+    states = states_of(np.concatenate([wall(left=3.0), dense]))
+
+    assert 0.9 * STEP < states.spacing < 1.1 * STEP
+
+
+def test_points_far_behind_and_far_in_front_show_nothing():
+    states = states_of(wall(WINDOW), pane(WINDOW, -9.0), pane(WINDOW, 7.0))
+    assert state_at(states, 1.5, 1.8) == EMPTY

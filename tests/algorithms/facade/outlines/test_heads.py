@@ -1,0 +1,62 @@
+"""The head of an opening is the simplest curve that its border allows."""
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.facade.outlines.heads import FLAT, POINTED, ROUND, SEGMENTAL, SLOPED, fit_head
+
+GAP = 0.01
+JAMBS = (0.0, 1.2)
+U = np.linspace(0.03, 1.17, 120)
+HALF = 0.6
+
+
+def flat():
+    return np.full(len(U), 2.0)
+
+
+def sloped():
+    return 2.0 + 0.3 * U
+
+
+def round_head():
+    return 1.4 + np.sqrt(HALF**2 - (U - HALF) ** 2)
+
+
+def segmental():
+    return 1.0 + np.sqrt(1.0 - (U - HALF) ** 2)
+
+
+def pointed():
+    own = np.abs(U - HALF)
+    return 1.0 + np.sqrt(1.2**2 - (own + HALF) ** 2)
+
+
+def head_of(v, noise=0.002):
+    points = np.column_stack([U, v + np.random.default_rng(0).normal(0, noise, len(U))])
+    return fit_head(points, np.full(len(U), GAP), JAMBS)
+
+
+@pytest.mark.parametrize(("shape", "kind", "height"), [
+    (flat, FLAT, 2.0), (sloped, SLOPED, 2.36), (round_head, ROUND, 2.0), (segmental, SEGMENTAL, 2.0),
+    (pointed, POINTED, 1.0 + np.sqrt(1.2**2 - HALF**2)),
+])  # fmt: skip
+def test_each_head_is_recognised_with_its_height(shape, kind, height):
+    head = head_of(shape())
+
+    assert head.kind == kind
+    assert head.line[:, 1].max() == pytest.approx(height, abs=0.005)
+    assert 0 < head.std < 0.005
+
+
+def test_a_border_that_is_no_head_has_none():
+    assert head_of(np.random.default_rng(1).uniform(1, 2, len(U))) is None
+
+
+def test_a_head_of_which_too_little_was_seen_is_not_guessed():
+    points = np.column_stack([U, flat()])[:40]
+    assert fit_head(points, np.full(40, GAP), JAMBS) is None
+
+
+def test_points_are_as_far_off_as_the_line_is():
+    head = head_of(flat())
+    assert head.off(np.array([(0.6, 2.1), (0.6, 1.9)])) == pytest.approx([0.1, 0.1], abs=0.002)

@@ -1,0 +1,50 @@
+"""The report of a facade."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.facade.output.report import write_report
+from ichnograph.algorithms.facade.selection import select_facade
+from ichnograph.tests.algorithms.facade.buildings.sites import block, level
+from ichnograph.tests.algorithms.facade.samples import bare, small_elevation
+
+pytest.importorskip("jinja2", reason="jinja2 is not installed")
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(selection, elevation):
+        write_report(tmp_path / "report.html", selection, elevation)
+        return (tmp_path / "report.html").read_text(encoding="utf-8")
+
+    return write
+
+
+@pytest.fixture(scope="module")
+def selection():
+    xyz = block()
+    return select_facade(bare(xyz + np.random.default_rng(0).normal(0, 0.002, xyz.shape)), number=2)
+
+
+def test_it_lists_every_facade_and_marks_the_one_that_is_drawn(written, selection):
+    page = written(selection, small_elevation())
+    assert "Facade 2 of 2" in page
+    marked = [row for row in page.split("<tr")[1:] if row.startswith(" class=")]
+    assert len(marked) == 1 and ">2</td>" in marked[0]
+    assert "<svg" in page
+
+
+def test_sizes_with_an_edge_that_was_not_seen_are_in_brackets(written, selection):
+    page = written(selection, small_elevation())
+    assert "(1.000)" in page and "1.500 ±" in page
+
+
+def test_warnings_are_written(written, selection):
+    page = written(selection, replace(small_elevation(), warnings=("The side is doubtful.",)))
+    assert "The side is doubtful." in page
+
+
+def test_a_cloud_without_facades_has_no_key_plan(written):
+    page = written(select_facade(bare(level(0, 0, 5, 5, 0))), small_elevation())
+    assert "<svg" not in page and "Details" in page
