@@ -29,6 +29,9 @@ class Chunk:
         What else the points have, by name; see `Source.attributes`.
     scan : ndarray of int, shape (n,), or None
         The scan of the file that each point is from; None if the file does not say.
+    station : ndarray of float64, shape (3,), or None
+        Position of the scanner, relative to the origin of the cloud; None if the file does not say. The
+        points of such a chunk are all from one scan.
     """
 
     xyz: np.ndarray
@@ -36,6 +39,7 @@ class Chunk:
     rgb: Optional[np.ndarray]
     attributes: dict[str, np.ndarray] = field(default_factory=dict)
     scan: Optional[np.ndarray] = None
+    station: Optional[np.ndarray] = None
 
 
 @dataclass(frozen=True)

@@ -95,12 +95,12 @@ class E57Source(Source):
             for data in _blocks(self.path, scan, size):
                 positions = _positions(data, scan)
                 if len(positions):
-                    yield self._chunk(data, scan, positions - origin)
+                    yield self._chunk(data, scan, positions - origin, origin)
                 left = max(left - size, 0)
                 progress.update((done + scan.count - left) / total)
             done += scan.count
 
-    def _chunk(self, data: dict[str, np.ndarray], scan: Scan, xyz: np.ndarray) -> Chunk:
+    def _chunk(self, data: dict[str, np.ndarray], scan: Scan, xyz: np.ndarray, origin: np.ndarray) -> Chunk:
         none = np.zeros(len(xyz))
         summand, factor = scan.intensity
         intensity = to_uint16((data["intensity"] + summand) * factor) if "intensity" in data else none
@@ -116,6 +116,7 @@ class E57Source(Source):
             scaled_colour(self.path, rgb, scan.rgb_factor) if self.has_rgb else None,
             {name: attributes[name].astype(kind) for name, kind in self.attributes},
             np.full(len(xyz), scan.number),
+            scan.shift - origin if scan.has_pose else None,
         )
 
 

@@ -39,6 +39,8 @@ class Scan:
     rotation : ndarray, shape (3, 3)
     shift : ndarray, shape (3,)
         Of the pose.
+    has_pose : bool
+        Whether the file states where the scanner stood.
     intensity_limits : tuple of 2 float
         As they are announced; nan if they are not.
     brightest : float
@@ -58,6 +60,7 @@ class Scan:
     fields: tuple[str, ...]
     rotation: np.ndarray
     shift: np.ndarray
+    has_pose: bool
     intensity_limits: tuple[float, float]
     brightest: float
     attributes: dict[str, np.dtype]
@@ -115,6 +118,7 @@ def describe(library: Any, path: Path, node: Any, number: int) -> Scan:
         fields=tuple(name for name in names if name in read),
         rotation=rotation,
         shift=shift,
+        has_pose=node.isDefined("pose/translation"),
         intensity_limits=_limits(node, prototype, "intensity"),
         brightest=max(_limits(node, prototype, name)[1] for name in COLOUR),
         attributes={plain_name(name): kind for name, kind in others.items()},

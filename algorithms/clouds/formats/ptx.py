@@ -63,7 +63,7 @@ class PtxSource(Source):
         try:
             encoding = _encoding(path)
             blocks = _blocks(path, encoding, settings.sample_points)
-            first, doubt = next(((cells, doubt) for cells, _, _, doubt in blocks if len(cells)), (None, ""))
+            first, doubt = next(((cells, doubt) for cells, *_, doubt in blocks if len(cells)), (None, ""))
             if first is None:
                 raise no_points(path)
             width = first.shape[1]
@@ -86,7 +86,7 @@ class PtxSource(Source):
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")
         summand, factor = self.intensity_scale
-        for points, scan, fraction, doubt in _blocks(self.path, self.encoding, size):
+        for points, scan, station, fraction, doubt in _blocks(self.path, self.encoding, size):
             full = np.zeros((len(points), WIDTHS[-1]))
             full[:, : points.shape[1]] = points
             if len(points):
@@ -95,6 +95,7 @@ class PtxSource(Source):
                     to_uint16((full[:, 3] + summand) * factor) if self.has_intensity else None,
                     scaled_colour(self.path, full[:, 4:], self.rgb_factor) if self.has_rgb else None,
                     scan=np.full(len(points), scan),
+                    station=station - origin,
                 )
             progress.update(fraction, doubt)
 
@@ -117,8 +118,12 @@ def _sample(path: Path, encoding: str, width: int, settings: ReadingSettings) ->
     return sample[_filled(sample)]
 
 
-def _blocks(path: Path, encoding: str, size: int) -> Iterator[tuple[np.ndarray, int, float, str]]:
-    """Yield the cells that hold a point, shape (n, 3, 4 or 7), their scan, the fraction read, and doubts."""
+def _blocks(path: Path, encoding: str, size: int) -> Iterator[tuple[np.ndarray, int, np.ndarray, float, str]]:
+    """Yield the cells that hold a point, and what they belong to.
+
+    The cells have shape (n, 3, 4 or 7). After them come their scan, the position of its scanner, the fraction
+    of the file that is read, and doubts.
+    """
     try:
         length = path.stat().st_size
         with path.open(encoding=encoding, errors="replace") as stream:
@@ -135,7 +140,7 @@ def _blocks(path: Path, encoding: str, size: int) -> Iterator[tuple[np.ndarray, 
                     if lines:
                         width = width or _width(path, lines[0], number)
                         points = _points(read_numbers(path, lines, number, width), pose)
-                        yield points, scan, _position(stream) / length, doubt
+                        yield points, scan, pose[3, :3], _position(stream) / length, doubt
                     number, left = number + len(raw), left - len(lines)
                 scan += 1
     except OSError as error:
