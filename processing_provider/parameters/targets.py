@@ -49,7 +49,5 @@ def settings_of(values: dict[str, Any]) -> "TargetSettings":
     from ...algorithms.targets.settings import TargetSettings, Wanted
 
     if values["STATION"] is not None and len(values["INPUT"]) > 1:
-        raise InputError(
-            "STATION is the position of one scanner; choose one scan as INPUT, or leave it empty."
-        )
+        raise InputError("STATION belongs to one scan, and there are several; choose one, or leave it empty.")
     return TargetSettings(wanted=Wanted(values["KIND"]), size=values["SIZE"], station=values["STATION"])
