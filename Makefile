@@ -111,6 +111,9 @@ real: setup  ## Make the plans of real scans, and compare them with plans drawn 
 registration: setup  ## Print how reliably targets are matched, compared with the installed peers
 	$(RUN_PEERS) -m ichnograph.benchmarks.registration
 
+targets: setup  ## Print how many targets are found in simulated scans, and how exact their centres are
+	$(RUN) -m ichnograph.benchmarks.targets
+
 peers: .peers/installed  ## Install the tools that registration and facades are compared with (peers)
 
 .peers/installed: | distribution

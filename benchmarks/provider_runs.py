@@ -72,7 +72,7 @@ class ProviderRuns:
 
         self._plugin = ichnograph.classFactory(None)
         self._plugin.initProcessing()
-        self._provider = self._plugin.provider
+        self._provider: Any = self._plugin.provider
 
     def _clouds(self) -> None:
         scan = SCENES["interior"](0).scan(angular_step=0.2 * (10_000_000 / self.points) ** 0.5)

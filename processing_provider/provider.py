@@ -15,6 +15,7 @@ from .algorithms.density_image import DensityImageAlgorithm
 from .algorithms.extract_walls import ExtractWallsAlgorithm
 from .algorithms.facade_details import FacadeDetailsAlgorithm
 from .algorithms.facade_planes import FacadePlanesAlgorithm
+from .algorithms.find_targets import FindTargetsAlgorithm
 from .algorithms.plan_layout import PlanLayoutAlgorithm
 from .algorithms.register_scans import RegisterScansAlgorithm
 from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
@@ -71,6 +72,7 @@ class Provider(QgsProcessingProvider):
             PlanLayoutAlgorithm,
             ThinCloudAlgorithm,
             TransformCloudAlgorithm,
+            FindTargetsAlgorithm,
             RegisterScansAlgorithm,
             SimulateRegistrationAlgorithm,
             FacadeDetailsAlgorithm,

@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PLUGIN = ("algorithms", "processing_provider")
 """Packages that are installed with the plugin."""
 
-CHAPTERS = ("clouds", "registration", "site_plan", "facade", "evaluation")
+CHAPTERS = ("clouds", "targets", "registration", "site_plan", "facade", "evaluation")
 """Packages of `algorithms` that are about one task each."""
 
 SHARED = ("geometry", "tables", "reporting")

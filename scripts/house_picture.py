@@ -18,15 +18,16 @@ from .house import ROOT, modules, room_of
 PROVIDER = "processing_provider"
 ROOT_MODULES = "root"
 
-GUTTER = 3.9
+GUTTER = 3.1
 """Between the first two chapters; the imports of clouds by the provider pass through it."""
 
 BOXES = {
     PROVIDER: (0.0, 8.2, 16.0, 1.1, "#dfe7f1"),
-    "registration": (0.0, 4.6, 3.7, 2.8, "#e9efe0"),
-    "site_plan": (4.1, 4.6, 3.7, 2.8, "#e9efe0"),
-    "facade": (8.2, 4.6, 3.7, 2.8, "#e9efe0"),
-    "evaluation": (12.3, 4.6, 3.7, 2.8, "#e9efe0"),
+    "targets": (0.0, 4.6, 2.9, 2.8, "#e9efe0"),
+    "registration": (3.3, 4.6, 2.9, 2.8, "#e9efe0"),
+    "site_plan": (6.6, 4.6, 2.9, 2.8, "#e9efe0"),
+    "facade": (9.9, 4.6, 2.9, 2.8, "#e9efe0"),
+    "evaluation": (13.2, 4.6, 2.8, 2.8, "#e9efe0"),
     "clouds": (0.0, 2.0, 5.0, 1.5, "#f3ecdc"),
     "geometry": (5.5, 2.0, 5.0, 1.5, "#f3ecdc"),
     "reporting": (11.0, 2.0, 5.0, 1.5, "#f3ecdc"),

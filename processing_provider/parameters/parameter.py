@@ -12,6 +12,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
+import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessingAlgorithm,
@@ -233,6 +234,28 @@ class Place(Parameter):
         if point.isEmpty():
             raise InputError(f"{self.name} must be a point like 412345.6,5812345.7, not {given}.")
         return point.x(), point.y()
+
+
+@dataclass(frozen=True)
+class Position(Parameter):
+    """An optional position in space: three numbers, None if the user leaves it empty."""
+
+    def _definition(self) -> QgsProcessingParameterString:
+        return QgsProcessingParameterString(self.name, self.description, optional=True)
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> Optional[np.ndarray]:
+        text = algorithm.parameterAsString(parameters, self.name, context).strip()
+        if not text:
+            return None
+        try:
+            position = np.array([float(part) for part in text.replace(",", " ").split()])
+        except ValueError:
+            position = np.empty(0)
+        if position.shape != (3,) or not np.all(np.isfinite(position)):
+            raise InputError(f"{self.name} must be three numbers, x y z in metres, not {text}.")
+        return position
 
 
 @dataclass(frozen=True)

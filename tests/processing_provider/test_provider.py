@@ -47,6 +47,7 @@ DEFAULTS = {
     "MAX_STD": None,
     "DOOR_WIDTH": 1.3,
     "SECTION": 1.1,
+    "SIZE": None,
     "SCALE": 50,
 }
 WALL_PARAMETERS = {*NUMBERS} - {"SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD"}
@@ -60,6 +61,10 @@ CONTRACT = {
     "transformcloud": (
         {"INPUT", "TRANSFORMS", "OUTPUT_FOLDER"},
         {"OUTPUT_FOLDER", "CLOUDS", "SCANS_TRANSFORMED", "POINTS"},
+    ),
+    "findtargets": (
+        {"INPUT", "KIND", "SIZE", "STATION", "CRS", "OUTPUT_FOLDER", "TARGETS_LAYER", "REPORT"},
+        {"OUTPUT_FOLDER", "LISTS", "TARGETS_LAYER", "REPORT", "TARGET_COUNT"},
     ),
     "registerscans": (
         {"CONTROL", "TARGETS", "MATCHING", "SIGMA", "CONTROL_SIGMA", "TOLERANCE", "MODEL", "CRS", "MAX_STD"}

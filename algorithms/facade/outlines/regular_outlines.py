@@ -193,6 +193,8 @@ def _circle(border: Border, ring: Polygon, settings: OutlineSettings) -> Optiona
         if near.mean() < 1 - shapes.contradicted:
             return None
         arc = arc.fitted(points[near], np.ones(int(near.sum())))
+    if arc is None:
+        return None
     angles = np.linspace(0, 2 * np.pi, CORNERS, endpoint=False)
     u, v = arc.centre
     polygon = Polygon(np.stack([u + arc.radius * np.cos(angles), v + arc.radius * np.sin(angles)], axis=1))

@@ -48,6 +48,13 @@ def test_each_scan_is_moved_by_its_pose(tmp_path):
     np.testing.assert_array_equal(xyz[3:], XYZ)
 
 
+def test_a_chunk_says_where_its_scanner_stood_if_the_scan_has_a_pose(tmp_path):
+    source = E57Source.open(write_e57(tmp_path / "a.e57", fields(pose=QUARTER_TURN), XYZ))
+    posed, without = source.chunks(np.array([100.0, 0, 0]), Progress(), 1000)
+    assert posed.station.tolist() == [0, 200, 300]
+    assert without.station is None
+
+
 def test_polar_coordinates_become_cartesian(tmp_path):
     distance = np.linalg.norm(XYZ, axis=1)
     polar = {

@@ -40,6 +40,14 @@ def test_each_scan_is_moved_by_its_pose(tmp_path):
     np.testing.assert_allclose(xyz, [[97.75, 201.5, 303], [95, 204, 306], [4, 5, 6]], atol=1e-12)
 
 
+def test_every_chunk_says_where_its_scanner_stood_unless_at_the_origin_as_merged_clouds(tmp_path):
+    source = PtxSource.open(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN), CELLS[2:]))
+    chunks = source.chunks(np.array([100.0, 0, 0]), Progress(), 1000)
+    first, merged = (chunk.station for chunk in chunks)
+    np.testing.assert_array_equal(first, [0, 200, 300])
+    assert merged is None
+
+
 def test_colour_is_brought_to_16_bits(tmp_path):
     cells = np.column_stack([CELLS, [[255, 0, 1], [9, 9, 9], [0, 128, 0]]])
     _, _, rgb = read(write_ptx(tmp_path / "a.ptx", cells))
