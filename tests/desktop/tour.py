@@ -154,7 +154,8 @@ def tour():
     yield from run("siteplan", {"INPUT": CLOUDS}, "siteplan")
     walls = {"WALLS": str(FOLDER / "walls.gpkg"), "DENSITY": None, "ROOMS": None, "REPORT": None}
     for number, cloud in enumerate(CLOUDS):
-        yield from run("siteplan", {"INPUT": [cloud], **walls, "STOREY": False}, f"again_{number}")
+        values = {"INPUT": [cloud], **walls, "STOREY": False, "REFINE": number == 0}
+        yield from run("siteplan", values, f"again_{number}")
     yield from run_again()
     yield from run("siteplan", {"INPUT": CLOUDS, "PIXEL_SIZE": 0.02}, "cancelled", cancel=True)
     yield from run_batch()
