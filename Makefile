@@ -12,7 +12,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test suite lint accuracy plan rooms lived-in ablation benchmark figure2 real package test-matrix
-.PHONY: desktop kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
+.PHONY: desktop models example kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -159,6 +159,15 @@ constants: setup  ## Write docs/constants.md, the page of all constants with the
 
 house: setup .tools/installed  ## Print how the code is divided: files, functions, imports, types, constants
 	$(RUN) -m ichnograph.scripts.house_figures
+
+models: setup  ## Write the models that the provider ships
+	$(RUN) -m ichnograph.scripts.models
+
+example: setup  ## Simulate the example data that the plugin ships
+	$(RUN) -m ichnograph.tests.scenes rooms processing_provider/example/house.laz --angular-step 0.8 \
+		--survey processing_provider/example/control.txt --move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
+	$(RUN) -m ichnograph.tests.scenes.facades medina processing_provider/example/facade.laz --spacing 0.03 \
+		--move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
 
 house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
 	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg

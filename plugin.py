@@ -26,6 +26,8 @@ class Plugin:
         """Register the provider; a headless QGIS calls only this."""
         self.provider = Provider()
         QgsApplication.processingRegistry().addProvider(self.provider)
+        # Its models find the algorithms that they consist of only now.
+        self.provider.refreshAlgorithms()
 
     def initGui(self) -> None:  # noqa: N802 - QGIS's name
         """Register the provider, and add the menu, on the desktop."""

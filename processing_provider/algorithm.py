@@ -234,9 +234,9 @@ class Algorithm(QgsProcessingAlgorithm):
 
 def _write(
     files: dict[Destination, Path], outcome: Outcome, sources: list[str], log: Log, labels: Mapping[str, str]
-) -> dict[Path, str]:
-    """Write all files with their styles, or none of them; return the styles by path."""
-    styles = {}
+) -> dict[Path, Optional[str]]:
+    """Write all files with their styles, or none of them; return the styles of the layers by path."""
+    styles: dict[Path, Optional[str]] = {path: None for output, path in files.items() if output.is_layer}
     # Layers whose names differ only in the extension would share one style file.
     stems = [path.with_suffix("") for output, path in files.items() if output.style]
     read = {Path(source).resolve() for source in sources}
@@ -262,9 +262,10 @@ def _write(
                     raise type(error)(str(error).replace(str(temporary), str(path))) from error
                 output.revise(temporary, labels)
                 if output.style:
-                    styles[path] = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
+                    style = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
+                    styles[path] = style
                     if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
-                        temporary.with_suffix(".qml").write_text(styles[path], encoding="utf-8")
+                        temporary.with_suffix(".qml").write_text(style, encoding="utf-8")
     return styles
 
 

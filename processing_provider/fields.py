@@ -1,6 +1,6 @@
 """The fields of all layers as a person reads them: with units, in the attribute table and in forms."""
 
-from xml.sax.saxutils import quoteattr
+from html import escape
 
 ALIASES = {
     # Site plan
@@ -91,7 +91,7 @@ ALIASES = {
 def aliases_of(fields: list[str]) -> str:
     """Return the aliases of a layer with `fields`, as the element of a QML style."""
     rows = [
-        f'<alias index="{number}" field={quoteattr(name)} name={quoteattr(ALIASES[name])}/>'
+        f'<alias index="{number}" field="{escape(name)}" name="{escape(ALIASES[name])}"/>'
         for number, name in enumerate(fields)
         if name in ALIASES
     ]

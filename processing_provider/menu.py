@@ -17,6 +17,7 @@ DIALOGS = {
     "registerscans": "Register scans to control points…",
     "siteplan": "Site plan from laser scans…",
     "facadedetails": "Details of a facade…",
+    "exampledata": "Example data…",
 }
 """The algorithms whose dialogs the menu opens."""
 

@@ -5,13 +5,14 @@
 from configparser import ConfigParser
 from pathlib import Path
 
-from qgis.core import QgsProcessingProvider
+from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import ICONS
 from .algorithms.compare_lengths import CompareLengthsAlgorithm
 from .algorithms.compare_plan import ComparePlanAlgorithm
 from .algorithms.density_image import DensityImageAlgorithm
+from .algorithms.example_data import ExampleDataAlgorithm
 from .algorithms.extract_walls import ExtractWallsAlgorithm
 from .algorithms.facade_details import FacadeDetailsAlgorithm
 from .algorithms.facade_planes import FacadePlanesAlgorithm
@@ -22,6 +23,8 @@ from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
 from .algorithms.site_plan import SitePlanAlgorithm
 from .algorithms.thin_cloud import ThinCloudAlgorithm
 from .algorithms.transform_cloud import TransformCloudAlgorithm
+
+MODELS = Path(__file__).parent / "models"
 
 METADATA = Path(__file__).parents[1] / "metadata.txt"
 
@@ -78,5 +81,10 @@ class Provider(QgsProcessingProvider):
             FacadeDetailsAlgorithm,
             FacadePlanesAlgorithm,
             CompareLengthsAlgorithm,
+            ExampleDataAlgorithm,
         ):
             self.addAlgorithm(algorithm())
+        for path in sorted(MODELS.glob("*.model3")):
+            model = QgsProcessingModelAlgorithm()
+            if model.fromFile(str(path)):
+                self.addAlgorithm(model)

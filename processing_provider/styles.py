@@ -61,13 +61,15 @@ def _stretch(file: Path) -> dict[str, float]:
     }
 
 
-def show_when_loaded(styles: dict[Path, str], focus: list[str], context: QgsProcessingContext) -> None:
+def show_when_loaded(
+    styles: dict[Path, Optional[str]], focus: list[str], context: QgsProcessingContext
+) -> None:
     """Let QGIS style the layers that it loads after the run, and put the last one on top.
 
     Parameters
     ----------
     styles : dict of Path to str
-        Styles as QML.
+        Styles of the layers as QML, or None.
     focus : list of str
         The files that the canvas of an empty project opens on.
     context : QgsProcessingContext
@@ -88,8 +90,10 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
 
     Parameters
     ----------
-    path, style : str
-        The file, and its style as QML.
+    path : str
+        The file.
+    style : str or None
+        As QML; without one the layer is shown as QGIS shows it.
     loaded : dict of str to str
         The files of the run, bottom to top, and the ids of their layers; shared by all presenters of the run.
     focus : bool
@@ -99,7 +103,9 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
     # QGIS keeps a reference that Python does not see; without this one, presenters would be deleted.
     waiting: ClassVar[list["Presenter"]] = []
 
-    def __init__(self, path: str, style: str, loaded: dict[str, Optional[str]], focus: bool) -> None:
+    def __init__(
+        self, path: str, style: Optional[str], loaded: dict[str, Optional[str]], focus: bool
+    ) -> None:
         super().__init__()
         self.path, self.style, self.loaded, self.focus = path, style, loaded, focus
         self.waiting.append(self)
@@ -108,10 +114,11 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
         self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> None:
         """Style and move the layer; QGIS calls this in the main thread."""
-        document = QDomDocument()
-        document.setContent(self.style)
-        layer.importNamedStyle(document)
-        layer.triggerRepaint()
+        if self.style:
+            document = QDomDocument()
+            document.setContent(self.style)
+            layer.importNamedStyle(document)
+            layer.triggerRepaint()
         self.loaded[self.path] = layer.id()
         ours = [layer_id for layer_id in self.loaded.values() if layer_id]
         _stack(context.project().layerTreeRoot(), ours)

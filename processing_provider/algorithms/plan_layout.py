@@ -16,6 +16,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QDate, QLocale
 
 from ..algorithm import Algorithm, Outcome
+from ..layers import forget_system, is_on_earth
 from ..layouts.composition import Contents, compose
 from ..layouts.export import write_pdf, write_svg
 from ..layouts.sheet import choose_sheet
@@ -88,6 +89,10 @@ class PlanLayoutAlgorithm(Algorithm):
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Make the layout; the files are exported when they are written."""
         layers = [values[name] for name in ("AXES", "WALLS", "ROOMS", "IMAGE") if values[name]]
+        for layer in layers:
+            # Of a file; the layers of the project are the user's, and have none already.
+            if not is_on_earth(layer) and not self.project.mapLayer(layer.id()):
+                forget_system(layer)
         walls, scale = values["WALLS"], values["SCALE"]
         extent = _extent(layers[: -1 if values["IMAGE"] else None])
         sheet = choose_sheet(SHEETS[values["SHEET"]], scale, extent.width(), extent.height())

@@ -27,6 +27,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QSizeF
 from qgis.PyQt.QtGui import QFont
 
+from ..layers import is_on_earth
 from .sheet import Box, Sheet, grid_interval
 
 NORTH = str(Path(__file__).parent / "north.svg")
@@ -82,8 +83,8 @@ def _map(layout: QgsPrintLayout, sheet: Sheet, contents: Contents) -> QgsLayoutI
     shown = QgsLayoutItemMap(layout)
     _place(layout, shown, sheet.map)
     shown.setFrameEnabled(True)
-    layer = contents.layers[0]
-    shown.setCrs(layer.crs())
+    if is_on_earth(contents.layers[0]):
+        shown.setCrs(contents.layers[0].crs())
     shown.setLayers(list(contents.layers))
     shown.setKeepLayerSet(True)
     shown.setKeepLayerStyles(True)

@@ -6,7 +6,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, ClassVar, Optional
 
 from qgis.core import (
     QgsProcessing,
@@ -54,12 +54,15 @@ class Destination(Parameter):
         Whether an optional file is made unless the user switches it off.
     focus : bool
         Whether the canvas of an empty project opens on it.
+    is_layer : bool
+        Whether QGIS can show it as a layer.
     """
 
     style: Optional[str] = None
     optional: bool = False
     by_default: bool = True
     focus: bool = False
+    is_layer: ClassVar[bool] = False
 
     @property
     @abstractmethod
@@ -129,6 +132,7 @@ class Destination(Parameter):
 class RasterDestination(Destination):
     """A GeoTIFF."""
 
+    is_layer: ClassVar[bool] = True
     extensions = (".tif", ".tiff")
 
     def _definition(self) -> QgsProcessingParameterRasterDestination:
@@ -141,6 +145,7 @@ class RasterDestination(Destination):
 class VectorDestination(Destination):
     """A GeoPackage or shapefile; a subclass sets its geometry."""
 
+    is_layer: ClassVar[bool] = True
     extensions = (".gpkg", ".shp")
     geometry = QgsProcessing.SourceType.TypeVectorAnyGeometry
 

@@ -40,6 +40,7 @@ def seen(tmp_path_factory):
         "XDG_RUNTIME_DIR": str(folder / "runtime"),
         "TOUR_ZIP": str(folder / "plugin.zip"),
         "TOUR_CLOUDS": ";".join(map(str, clouds)),
+        "TOUR_FACADE": str(ROOT / "processing_provider" / "example" / "facade.laz"),
         "TOUR_FOLDER": str(folder / "results"),
     }
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24"]
@@ -59,12 +60,46 @@ def test_the_zip_is_installed_without_an_error(seen):
 
 
 def test_nothing_warns_in_the_log_or_above_the_map(seen):
-    assert seen["messages"] == []
+    assert seen["messages"] == ["Processing: Cancelled."]
     assert seen["bars"] == []
 
 
-def test_every_run_ends_well(seen):
-    assert [run["succeeded"] for run in seen["runs"]] == [True] * 3
+def run_of(seen, name):
+    return next(run for run in seen["runs"] if run["name"] == name)
+
+
+def test_every_run_ends_well_but_the_one_that_is_cancelled(seen):
+    ends = {run["name"]: run["succeeded"] for run in seen["runs"]}
+    assert ends == {
+        "siteplan": True,
+        "again_0": True,
+        "again_1": True,
+        "from_history": True,
+        "cancelled": False,
+        "facade": True,
+    }
+
+
+def test_the_history_keeps_the_scans(seen):
+    assert "closed.laz" in seen["history"]
+    assert "closed.laz" in run_of(seen, "from_history")["log"]
+
+
+def test_a_cancelled_run_loads_nothing_and_leaves_nothing(seen):
+    before, after = (len(run_of(seen, name)["layers"]) for name in ("from_history", "cancelled"))
+    assert after == before
+    assert not [name for name in seen["left"] if name.startswith(".")]
+
+
+def test_a_batch_of_three_scans_is_three_runs(seen):
+    assert seen["batch"] == ["thin_0.laz", "thin_1.laz", "thin_2.laz"]
+
+
+def test_of_a_facade_the_elevation_lies_on_the_orthoimage(seen):
+    facade = run_of(seen, "facade")
+    assert [layer["name"] for layer in facade["layers"]] == ["Elevation", "Orthoimage"]
+    assert {layer["system"] for layer in facade["layers"]} == {None}
+    assert facade["results"][-1] == "Schedule"
 
 
 def test_the_first_picture_has_the_walls_on_top_in_their_colours(seen):
@@ -90,10 +125,10 @@ def test_the_report_is_in_the_results_viewer_under_its_name(seen):
 
 
 def test_a_second_run_into_the_same_file_shows_the_new_walls(seen):
-    before, after = (layer_in(run, "walls.gpkg") for run in seen["runs"][1:])
+    before, after = (layer_in(run_of(seen, name), "walls.gpkg") for name in ("again_0", "again_1"))
     assert before["source"] == after["source"]
     assert before["extent"] != after["extent"]
 
 
 def test_the_log_names_the_scans(seen):
-    assert all("open.laz" in run["log"] or "closed.laz" in run["log"] for run in seen["runs"])
+    assert all(".laz" in run["log"] for run in seen["runs"])

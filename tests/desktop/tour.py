@@ -1,7 +1,7 @@
 """A tour of the desktop, which QGIS runs with `--code`: what a user does, and what is seen then, as JSON.
 
 TOUR_ZIP is the plugin, or it is on QGIS_PLUGINPATH; TOUR_CLOUDS are clouds, separated by semicolons;
-TOUR_FOLDER is an empty folder.
+TOUR_FACADE is a scan of a facade; TOUR_FOLDER is an empty folder.
 """
 
 import json
@@ -12,8 +12,10 @@ from pathlib import Path
 import processing
 import pyplugin_installer
 import qgis.utils
+from processing.core.ProcessingLog import ProcessingLog
 from processing.core.ProcessingResults import resultsList
-from qgis.core import Qgis, QgsApplication, QgsProject
+from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
+from qgis.core import Qgis, QgsApplication, QgsProcessingContext, QgsProject
 from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtWidgets import QTextEdit
 from qgis.utils import iface, loadPlugin, plugins, startPlugin
@@ -104,8 +106,41 @@ def run(key, values, picture, cancel=False):
     iface.mainWindow().grab().save(str(FOLDER / f"{picture}.png"))
 
 
+def run_again():
+    """Run the last entry of the history, with the parameters that it has kept."""
+    entry = ProcessingLog.getLogEntries()[0].text
+    seen["history"] = entry
+    key, values = eval(entry.replace("processing.run", ""))
+    yield from run(key.partition(":")[2], values, "from_history")
+
+
+def run_batch():
+    """Thin three clouds in a batch, a row each."""
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("ichnograph:thincloud")
+    dialog = BatchAlgorithmDialog(algorithm)
+    dialogs.append(dialog)
+    dialog.show()
+    panel, context = dialog.mainWidget(), QgsProcessingContext()
+    panel.addRow(2)
+    thinned = [FOLDER / f"thin_{number}.laz" for number in range(3)]
+    for row, path in enumerate(thinned):
+        cloud = CLOUDS[row % len(CLOUDS)]
+        panel.wrappers[row][panel.parameter_to_column["INPUT"]].setParameterValue([cloud], context)
+        panel.tblParameters.cellWidget(row + 1, panel.parameter_to_column["OUTPUT"]).setValue(str(path))
+    yield 300
+    dialog.grab().save(str(FOLDER / "batch.png"))
+    dialog.runAlgorithm()
+    for _ in range(10 * SECONDS):
+        if all(path.is_file() for path in thinned):
+            break
+        yield 100
+    yield 1000
+    seen["batch"] = [path.name for path in thinned if path.is_file()]
+    dialog.hide()
+
+
 def tour():
-    """Install the plugin, run the site plan, and run it twice into the same file."""
+    """Install the plugin, and use it as a user does."""
     qgis.utils.showException = note_exception
     QgsApplication.messageLog().messageReceived.connect(note_message)
     iface.messageBar().widgetAdded.connect(note_bar)
@@ -119,7 +154,13 @@ def tour():
     yield from run("siteplan", {"INPUT": CLOUDS}, "siteplan")
     walls = {"WALLS": str(FOLDER / "walls.gpkg"), "DENSITY": None, "ROOMS": None, "REPORT": None}
     for number, cloud in enumerate(CLOUDS):
-        yield from run("siteplan", {"INPUT": [cloud], **walls, "STOREY": False}, f"again_{number}")
+        values = {"INPUT": [cloud], **walls, "STOREY": False, "REFINE": number == 0}
+        yield from run("siteplan", values, f"again_{number}")
+    yield from run_again()
+    yield from run("siteplan", {"INPUT": CLOUDS, "PIXEL_SIZE": 0.02}, "cancelled", cancel=True)
+    yield from run_batch()
+    QgsProject.instance().clear()
+    yield from run("facadedetails", {"INPUT": [os.environ["TOUR_FACADE"]]}, "facade")
 
 
 def step(steps):
@@ -137,6 +178,7 @@ def step(steps):
 
 def leave():
     """Write what was seen, and end QGIS at once, because it would ask whether to save the project."""
+    seen["left"] = sorted(file.name for file in FOLDER.iterdir())
     (FOLDER / "seen.json").write_text(json.dumps(seen, indent=1), encoding="utf-8")
     os._exit(0)
 

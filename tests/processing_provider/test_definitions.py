@@ -138,15 +138,14 @@ def test_a_batch_has_a_row_for_each_of_three_scans(algorithm, context):
     dialog, bar = Dialog(), QgsMessageBar()
     siteplan = algorithm("siteplan")
     panel = BatchPanel(dialog, siteplan)
-    fill = BatchPanelFillWidget(
-        siteplan.parameterDefinition("INPUT"), panel.parameter_to_column["INPUT"], panel
-    )
+    column = panel.parameter_to_column["INPUT"]
+    fill = BatchPanelFillWidget(siteplan.parameterDefinition("INPUT"), column, panel)
     first = fill.findStartingRow()
     for row, scan in enumerate(SCANS):
         fill.setRowValue(first + row, scan, context)
 
     assert panel.batchRowCount() == 3
-    rows = [panel.parametersForRow(row, warnOnInvalid=False)[0]["INPUT"] for row in range(3)]
+    rows = [panel.wrappers[row][column].parameterValue() for row in range(3)]
     for widget in (fill, panel, bar, dialog):
         sip.delete(widget)
     assert rows == [[scan] for scan in SCANS]

@@ -33,7 +33,7 @@ def run_and_load(provider, project):
         algorithm = provider.algorithm(key).create()
         results, succeeded = algorithm.run({**inputs, **given}, context, feedback)
         assert succeeded
-        assert handleAlgorithmResults(algorithm, context, feedback, True, {**inputs, **given})
+        assert handleAlgorithmResults(algorithm, context, feedback)
         return results
 
     return run_and_load

@@ -127,6 +127,20 @@ def test_a_plan_has_a_north_arrow_and_an_elevation_has_none(make_sheet, walls, p
     assert shown.grid().annotationEnabled()
 
 
+def test_an_elevation_without_a_system_is_drawn_without_a_complaint(make_sheet, tmp_path):
+    from ichnograph.algorithms.vector import write_vector
+    from qgis.core import QgsApplication
+
+    messages = []
+    QgsApplication.messageLog().messageReceived.connect(lambda text, *_: messages.append(text))
+    path = tmp_path / "elevation.gpkg"
+    write_vector(path, "Polygon", {"id": "int"}, [(box(0, 0, WIDTH, HEIGHT), {"id": 1})], None)
+    make_sheet(WALLS=str(path), KIND=1)
+
+    assert np.abs(size_of_outline(tmp_path / "sheet.pdf", 50)).max() < 0.1
+    assert not [text for text in messages if "transform" in text]
+
+
 def test_the_sheet_can_be_written_as_svg(make_sheet, walls, tmp_path):
     make_sheet(WALLS=walls, SVG=str(tmp_path / "sheet.svg"))
     text = (tmp_path / "sheet.svg").read_text(encoding="utf-8")

@@ -96,7 +96,7 @@ def make_outline(
 def _fit(border: Border, ring: Polygon, settings: OutlineSettings) -> _Sides:
     """Return the sides: the jambs and the sill first, then the head between them."""
     left, bottom, right, top = ring.bounds
-    sides = _Sides(*(Edge(position, NOTHING) for position in (left, bottom, right, top)))
+    sides = _Sides(Edge(left, NOTHING), Edge(bottom, NOTHING), Edge(right, NOTHING), Edge(top, NOTHING))
     for _ in range(settings.shapes.rounds):
         low, high = sides.bottom.position, sides.top.position
         wide = settings.shapes.near * (sides.right.position - sides.left.position)

@@ -1,0 +1,169 @@
+"""Write the models that the provider ships, as the model designer stores them.
+
+make models, or: python3 -m ichnograph.scripts.models
+"""
+
+import os
+from pathlib import Path
+from typing import Any, Union
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import ichnograph
+from qgis.core import (
+    QgsApplication,
+    QgsProcessing,
+    QgsProcessingModelAlgorithm,
+    QgsProcessingModelChildAlgorithm,
+    QgsProcessingModelChildParameterSource,
+    QgsProcessingModelOutput,
+    QgsProcessingModelParameter,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+)
+from qgis.PyQt.QtCore import QPointF
+
+MODELS = Path(__file__).parents[1] / "processing_provider" / "models"
+GROUP = "Models"
+
+Value = Union[str, tuple[str, str], float, int]
+"""The name of an input, a step and one of its outputs, or a number."""
+
+
+def main() -> None:
+    """Write all models."""
+    application = QgsApplication([], False)
+    application.initQgis()
+    plugin = ichnograph.classFactory(None)
+    plugin.initProcessing()
+    for model in (_site_plan(), _facade(), _storeys()):
+        assert model.validate()[0], model.validate()
+        model.toFile(str(MODELS / f"{model.name().lower().replace(' ', '_')}.model3"))
+    plugin.unload()
+
+
+def _site_plan() -> QgsProcessingModelAlgorithm:
+    return _model(
+        "Control points and scans to site plan",
+        "Scans are registered by their targets, transformed to the control points, and drawn as a site plan.",
+        [
+            _files("TARGETS", "Targets, one list for each scan"),
+            QgsProcessingParameterFile("CONTROL", "Control points"),
+            _files("SCANS", "Scans, named like their lists"),
+            QgsProcessingParameterCrs("SYSTEM", "Reference system of the control points", optional=True),
+        ],
+        {
+            "registerscans": {"CONTROL": "CONTROL", "TARGETS": "TARGETS", "CRS": "SYSTEM"},
+            "transformcloud": {"INPUT": "SCANS", "TRANSFORMS": ("registerscans", "TRANSFORMS")},
+            "siteplan": {"INPUT": ("transformcloud", "CLOUDS")},
+        },
+        {
+            "registerscans": {"REPORT": "Report of the registration"},
+            "siteplan": {"WALLS": "Walls", "ROOMS": "Rooms", "REPORT": "Report of the site plan"},
+        },
+    )
+
+
+def _facade() -> QgsProcessingModelAlgorithm:
+    return _model(
+        "Facade to drawing",
+        "The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.",
+        [_files("SCANS", "Scans of the facade")],
+        {
+            "facadedetails": {"INPUT": "SCANS"},
+            "planlayout": {"WALLS": ("facadedetails", "ELEVATION"), "KIND": 1, "SCALE": 50, "SHEET": 0},
+        },
+        {
+            "facadedetails": {
+                "ELEVATION": "Elevation",
+                "ORTHOIMAGE": "Orthoimage",
+                "SCHEDULE": "Schedule",
+                "DRAWING": "Drawing",
+            },
+            "planlayout": {"PDF": "Sheet as PDF"},
+        },
+    )
+
+
+def _storeys() -> QgsProcessingModelAlgorithm:
+    number = QgsProcessingParameterNumber.Type.Double
+    heights = {
+        "SLAB_1": "Height within the slab below the lower storey (m)",
+        "SLAB_2": "Height within the slab between the storeys (m)",
+        "SLAB_3": "Height within the slab above the upper storey (m)",
+    }
+    numbers = [QgsProcessingParameterNumber(name, label, number) for name, label in heights.items()]
+    return _model(
+        "Storeys one by one",
+        "Two storeys of a building are drawn from the same scans, each between the slabs around it.",
+        [_files("SCANS", "Scans"), *numbers],
+        {
+            "siteplan:lower": {"INPUT": "SCANS", "ZMIN": "SLAB_1", "ZMAX": "SLAB_2"},
+            "siteplan:upper": {"INPUT": "SCANS", "ZMIN": "SLAB_2", "ZMAX": "SLAB_3"},
+        },
+        {
+            "siteplan:lower": {"WALLS": "Walls of the lower storey", "ROOMS": "Rooms of the lower storey"},
+            "siteplan:upper": {"WALLS": "Walls of the upper storey", "ROOMS": "Rooms of the upper storey"},
+        },
+    )
+
+
+def _model(
+    title: str,
+    about: str,
+    inputs: list[QgsProcessingParameterDefinition],
+    steps: dict[str, dict[str, Value]],
+    outputs: dict[str, dict[str, str]],
+) -> QgsProcessingModelAlgorithm:
+    """Return a model of `steps`, which are algorithms with a name after a colon if one is used twice."""
+    model = QgsProcessingModelAlgorithm(title, GROUP)
+    model.setHelpContent({"ALG_DESC": about})
+    names = {item.name() for item in inputs}
+    for row, item in enumerate(inputs):
+        shown = QgsProcessingModelParameter(item.name())
+        shown.setPosition(QPointF(150, 80 + 100 * row))
+        model.addModelParameter(item, shown)
+    for column, (step, values) in enumerate(steps.items()):
+        model.addChildAlgorithm(_step(column, step, values, outputs.get(step, {}), names))
+    return model
+
+
+def _step(
+    column: int, step: str, values: dict[str, Value], outputs: dict[str, str], names: set[str]
+) -> QgsProcessingModelChildAlgorithm:
+    key = step.partition(":")[0]
+    child = QgsProcessingModelChildAlgorithm(f"ichnograph:{key}")
+    child.setChildId(step)
+    child.setDescription(child.algorithm().displayName())
+    child.setPosition(QPointF(450 + 300 * column, 120 + 60 * column))
+    for definition in child.algorithm().parameterDefinitions():
+        value = values.get(definition.name(), definition.defaultValue())
+        if not definition.isDestination() and value is not None:
+            child.addParameterSources(definition.name(), [_source(value, names)])
+    made = {}
+    for row, (name, label) in enumerate(outputs.items()):
+        output = QgsProcessingModelOutput(label, label)
+        output.setChildId(step)
+        output.setChildOutputName(name)
+        output.setPosition(child.position() + QPointF(0, 100 + 50 * row))
+        made[label] = output
+    child.setModelOutputs(made)
+    return child
+
+
+def _source(value: Any, names: set[str]) -> QgsProcessingModelChildParameterSource:
+    kinds = QgsProcessingModelChildParameterSource
+    if isinstance(value, tuple):
+        return kinds.fromChildOutput(*value)
+    return kinds.fromModelParameter(value) if value in names else kinds.fromStaticValue(value)
+
+
+def _files(name: str, label: str) -> QgsProcessingParameterMultipleLayers:
+    return QgsProcessingParameterMultipleLayers(name, label, QgsProcessing.SourceType.TypeFile)
+
+
+if __name__ == "__main__":
+    main()
