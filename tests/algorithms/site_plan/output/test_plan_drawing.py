@@ -7,8 +7,9 @@ import pytest
 from ichnograph.algorithms.site_plan.axes.axes import find_axes
 from ichnograph.algorithms.site_plan.output.plan_drawing import LAYERS, faces, write_plan_drawing
 from ichnograph.algorithms.site_plan.rooms.rooms import Room
-from ichnograph.algorithms.site_plan.storeys.sheets import Sheet
-from ichnograph.algorithms.site_plan.storeys.storey_plan import LeftOut, StoreyPlan
+from ichnograph.algorithms.site_plan.storeys.evidence.sheets import Sheet
+from ichnograph.algorithms.site_plan.storeys.storey_plan import StoreyPlan
+from ichnograph.algorithms.site_plan.storeys.walls.left_out import LeftOut
 from ichnograph.tests.algorithms.site_plan.house import plan_of_house
 from shapely.geometry import LineString, Polygon, box
 
@@ -29,7 +30,7 @@ def house():
         walls=(),
         rooms=(),
         limits=(LineString([(0, 8), (3, 8)]),),
-        left_out=(LeftOut(LineString([(1, 1), (2, 1)]), "furniture"),),
+        left_out=(LeftOut(LineString([(1, 1), (2, 1)]), "furniture", 2.0),),
         sheets=(sheet((0.3, 0.3), (6.3, 0.3)), sheet((1, 1), (2, 1)), sheet((0.2, 2), (1.5, 2))),
         region=Polygon(),
         storey=None,
