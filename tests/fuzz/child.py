@@ -78,6 +78,8 @@ def _read(read: object, path: Path) -> str:
     try:
         read(path)  # type: ignore[operator]
     except IchnographError as error:
+        if isinstance(error.__cause__, MemoryError):
+            return traceback.format_exc()
         return f"two sentences: {error}" if "\n" in str(error).strip() or not str(error).endswith(".") else ""
     except BaseException:
         return traceback.format_exc()

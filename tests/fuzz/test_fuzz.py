@@ -60,6 +60,16 @@ def test_any_answer_but_one_sentence_is_a_finding(tmp_path, read, word):
     assert word in found
 
 
+def test_too_much_memory_is_a_finding_behind_a_sentence_too(tmp_path):
+    def read(path):
+        try:
+            raise MemoryError
+        except MemoryError as error:
+            raise InputError("This file is damaged.") from error
+
+    assert "MemoryError" in child._read(read, tmp_path / "a")
+
+
 def test_a_reader_that_does_not_end_is_a_finding(tmp_path, monkeypatch):
     monkeypatch.setattr(child, "SECONDS", 1)
     child.signal.signal(child.signal.SIGALRM, child._too_long)
