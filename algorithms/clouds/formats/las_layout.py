@@ -89,7 +89,7 @@ def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
         # Some programs fill in the older field only.
         evlr_start, evlrs, newer = struct.unpack_from("<QIQ", head, 235)
         count = newer or count
-    if header_size + 54 * vlrs > start or evlr_start + 60 * evlrs > size:
+    if not header_size + 54 * vlrs <= start <= size or evlr_start + 60 * evlrs > size:
         raise damaged(path, "its header announces more records than it has room for")
     _check_records_after_points(path, stream, evlr_start, evlrs, size)
     if not 0 < record_size <= LARGEST_RECORD:

@@ -48,6 +48,7 @@ def test_points_that_the_header_does_not_announce_are_counted_by_the_length_of_t
         (24, "<B", 9, "there is no version 9"),
         (25, "<B", 6, "there is no version 1.6|ends within the header"),
         (100, "<I", 2**31, "announces more records than it has room for"),
+        (96, "<I", 2**31, "announces more records than it has room for"),
         (105, "<H", 65300, "announces 65300 bytes a point"),
         (107, "<I", 301, "announces 301 points, but it ends before the last"),
     ],
