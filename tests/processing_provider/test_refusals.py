@@ -224,6 +224,7 @@ ALGORITHMS = {
     ("facadeplanes", "INPUT"): (CLOUDS, {"PLANES": "out.shp"}, {}),
     ("facadedetails", "INPUT"): (CLOUDS, {"ELEVATION": "out.shp"}, {}),
     ("transformcloud", "INPUT"): (CLOUDS, {"OUTPUT_FOLDER": "out"}, {"TRANSFORMS": "a.json"}),
+    ("findtargets", "INPUT"): (CLOUDS, {"OUTPUT_FOLDER": "out"}, {}),
     ("transformcloud", "TRANSFORMS"): (JSONS, {"OUTPUT_FOLDER": "out"}, {"INPUT": "cloud.xyz"}),
     ("registerscans", "CONTROL"): (LISTS, {"TRANSFORMS": "out.json"}, {"TARGETS": "list.txt"}),
     ("registerscans", "TARGETS"): (LISTS, {"TRANSFORMS": "out.json"}, {"CONTROL": "list.txt"}),
