@@ -80,7 +80,8 @@ def _read(read: object, path: Path) -> str:
     except IchnographError as error:
         if isinstance(error.__cause__, MemoryError):
             return traceback.format_exc()
-        return f"two sentences: {error}" if "\n" in str(error).strip() or not str(error).endswith(".") else ""
+        is_sentence = "\n" not in str(error) and str(error).endswith((".", "?"))
+        return "" if is_sentence else f"not one sentence: {error}"
     except BaseException:
         return traceback.format_exc()
     finally:

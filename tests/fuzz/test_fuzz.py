@@ -48,8 +48,8 @@ def raising(error):
     [
         (lambda path: None, ""),
         (raising(InputError("This file is damaged.")), ""),
-        (raising(InputError("This\nfile.")), "two sentences"),
-        (raising(InputError("no sentence")), "two sentences"),
+        (raising(InputError("This\nfile.")), "not one sentence"),
+        (raising(InputError("no sentence")), "not one sentence"),
         (raising(ValueError("odd")), "ValueError: odd"),
         (raising(MemoryError()), "MemoryError"),
     ],
