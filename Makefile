@@ -80,6 +80,10 @@ lint: .tools/installed .plugins/ichnograph  ## Check style and types, and securi
 	@# Files that are staged to be deleted are listed but do not exist.
 	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook
 
+.PHONY: upright
+upright: setup  ## Print which tilt is found of clouds that are tilted on purpose (CLOUDS=)
+	$(RUN) -m ichnograph.benchmarks.upright $(CLOUDS)
+
 .PHONY: fuzz
 fuzz: setup  ## Run every reader on damaged files in child processes (MINUTES=2, READERS=)
 	$(RUN) -m ichnograph.tests.fuzz --minutes $(or $(MINUTES),2) $(READERS)

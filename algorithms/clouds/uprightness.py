@@ -49,7 +49,7 @@ def upright_warnings(
     InputError
         If a file is damaged.
     """
-    faces = faces_of(_sample(cloud, progress, settings), settings)
+    faces = faces_of(sample(cloud, progress, settings), settings)
     if len(faces.normals) < settings.fewest_faces:
         return ()
     names = names_of(cloud.sources)
@@ -74,7 +74,9 @@ def upright_warnings(
     )
 
 
-def _sample(cloud: Cloud, progress: Progress, settings: UprightSettings) -> np.ndarray:
+def sample(
+    cloud: Cloud, progress: Progress = Progress(), settings: UprightSettings = UprightSettings()
+) -> np.ndarray:
     """Return points of the beginning of several files, shape (n, 3)."""
     numbers = np.unique(np.linspace(0, len(cloud.sources) - 1, settings.most_files).astype(int))
     found = [np.empty((0, 3))]

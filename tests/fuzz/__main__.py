@@ -53,7 +53,7 @@ def _fuzz(name: str, first: int, seconds: float, folder: Path) -> tuple[int, dic
         command = [sys.executable, "-m", module, name, str(number), str(batch), str(folder)]
         try:
             run = subprocess.run(
-                command, capture_output=True, text=True, timeout=batch + 6 * SECONDS, check=False
+                command, capture_output=True, text=True, timeout=batch + 30 * SECONDS, check=False
             )
             lines, died = run.stdout.splitlines(), run.returncode
             reason = f"the process died ({died}): {run.stderr[-2000:]}"

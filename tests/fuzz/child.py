@@ -78,7 +78,10 @@ def _read(read: object, path: Path) -> str:
     try:
         read(path)  # type: ignore[operator]
     except IchnographError as error:
-        return f"two sentences: {error}" if "\n" in str(error).strip() or not str(error).endswith(".") else ""
+        if isinstance(error.__cause__, MemoryError):
+            return traceback.format_exc()
+        is_sentence = "\n" not in str(error) and str(error).endswith((".", "?"))
+        return "" if is_sentence else f"not one sentence: {error}"
     except BaseException:
         return traceback.format_exc()
     finally:

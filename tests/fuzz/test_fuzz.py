@@ -48,8 +48,8 @@ def raising(error):
     [
         (lambda path: None, ""),
         (raising(InputError("This file is damaged.")), ""),
-        (raising(InputError("This\nfile.")), "two sentences"),
-        (raising(InputError("no sentence")), "two sentences"),
+        (raising(InputError("This\nfile.")), "not one sentence"),
+        (raising(InputError("no sentence")), "not one sentence"),
         (raising(ValueError("odd")), "ValueError: odd"),
         (raising(MemoryError()), "MemoryError"),
     ],
@@ -58,6 +58,16 @@ def test_any_answer_but_one_sentence_is_a_finding(tmp_path, read, word):
     found = child._read(read, tmp_path / "a")
     assert bool(found) == bool(word)
     assert word in found
+
+
+def test_too_much_memory_is_a_finding_behind_a_sentence_too(tmp_path):
+    def read(path):
+        try:
+            raise MemoryError
+        except MemoryError as error:
+            raise InputError("This file is damaged.") from error
+
+    assert "MemoryError" in child._read(read, tmp_path / "a")
 
 
 def test_a_reader_that_does_not_end_is_a_finding(tmp_path, monkeypatch):

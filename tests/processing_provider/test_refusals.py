@@ -180,10 +180,32 @@ JSONS = {
     "no system": ("a.json", text(json.dumps({"crs": "nonsense", **TRANSFORM}))),
 }
 
-OUTLINES = {
+
+def walls(size=4.0, crs="EPSG:25833"):
+    """Return a writer of one square wall."""
+
+    def write(path):
+        square = [(0, 0), (size, 0), (size, size), (0, size), (0, 0)]
+        with fiona.open(path, "w", "GPKG", {"geometry": "Polygon", "properties": {}}, crs=crs) as target:
+            target.write({"geometry": {"type": "Polygon", "coordinates": [square]}, "properties": {}})
+
+    return write
+
+
+SHOWN = {
     "missing": ("none.shp", lambda path: None),
+    "empty": ("walls.gpkg", text("")),
     "text": ("walls.shp", text("Dear reader,\n")),
+    "cut off": ("walls.gpkg", cut(walls(), 0.3)),
+}
+
+OUTLINES = {
+    **SHOWN,
     "points": ("walls.shp", layer(lambda path: None)),
+    "degrees": ("walls.gpkg", walls(crs="EPSG:4326")),
+    "feet": ("walls.gpkg", walls(crs="EPSG:2263")),
+    "a country": ("walls.gpkg", walls(1e7)),
+    "not a number": ("walls.gpkg", walls(float("nan"))),
 }
 
 GOOD = {
@@ -191,6 +213,7 @@ GOOD = {
     "list.txt": text(POINTS),
     "table.csv": text("id,width,height\n1,0.9,1.6\n"),
     "a.json": text(json.dumps(TRANSFORM)),
+    "walls.gpkg": walls(),
 }
 """Sound files for the parameters that are not under test."""
 
@@ -201,6 +224,7 @@ ALGORITHMS = {
     ("facadeplanes", "INPUT"): (CLOUDS, {"PLANES": "out.shp"}, {}),
     ("facadedetails", "INPUT"): (CLOUDS, {"ELEVATION": "out.shp"}, {}),
     ("transformcloud", "INPUT"): (CLOUDS, {"OUTPUT_FOLDER": "out"}, {"TRANSFORMS": "a.json"}),
+    ("findtargets", "INPUT"): (CLOUDS, {"OUTPUT_FOLDER": "out"}, {}),
     ("transformcloud", "TRANSFORMS"): (JSONS, {"OUTPUT_FOLDER": "out"}, {"INPUT": "cloud.xyz"}),
     ("registerscans", "CONTROL"): (LISTS, {"TRANSFORMS": "out.json"}, {"TARGETS": "list.txt"}),
     ("registerscans", "TARGETS"): (LISTS, {"TRANSFORMS": "out.json"}, {"CONTROL": "list.txt"}),
@@ -210,6 +234,7 @@ ALGORITHMS = {
     ("comparelengths", "REFERENCE"): (TABLES, {"TABLE": "out.csv"}, {"SCHEDULE": "table.csv"}),
     ("compareplan", "WALLS"): (OUTLINES, {"ERRORS": "out.gpkg"}, {"REFERENCE": "walls.gpkg"}),
     ("compareplan", "REFERENCE"): (OUTLINES, {"ERRORS": "out.gpkg"}, {"WALLS": "walls.gpkg"}),
+    ("planlayout", "WALLS"): (SHOWN, {"PDF": "out.pdf"}, {}),
 }
 """For each parameter that is a file: bad ones, the outputs, and the other inputs."""
 
@@ -218,12 +243,6 @@ CASES = [
     for (algorithm, parameter), (kinds, *_) in ALGORITHMS.items()
     for kind in kinds
 ]
-
-
-def write_walls(path):
-    square = [(0, 0), (4, 0), (4, 3), (0, 3), (0, 0)]
-    with fiona.open(path, "w", "GPKG", {"geometry": "Polygon", "properties": {}}, crs="EPSG:25833") as layer:
-        layer.write({"geometry": {"type": "Polygon", "coordinates": [square]}, "properties": {}})
 
 
 @pytest.mark.parametrize(("algorithm", "parameter", "kind"), CASES)
@@ -238,7 +257,6 @@ def test_bad_input_is_one_sentence_and_changes_nothing(run, tmp_path, algorithm,
         folder.mkdir()
     for name, write in GOOD.items():
         write(good / name)
-    write_walls(good / "walls.gpkg")
     name, write = kinds[kind]
     with np.errstate(invalid="ignore"):
         write(bad / name)

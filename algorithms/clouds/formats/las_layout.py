@@ -39,6 +39,17 @@ class LasLayout:
     states_count: bool
 
 
+def _check_records_after_points(path: Path, stream: BinaryIO, start: int, count: int, size: int) -> None:
+    """Refuse a record that announces more bytes than follow it, before memory is claimed for them."""
+    position = start
+    for _ in range(count):
+        stream.seek(position + 20)
+        (length,) = struct.unpack("<Q", stream.read(8).ljust(8, b"\xff"))
+        position += 60 + length
+        if position > size:
+            raise damaged(path, "a record after its points announces more than there is")
+
+
 def count_warning(path: Path) -> tuple[str, ...]:
     """Return a sentence if the header of a file does not state the number of its points."""
     with path.open("rb") as stream:
@@ -78,8 +89,9 @@ def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
         # Some programs fill in the older field only.
         evlr_start, evlrs, newer = struct.unpack_from("<QIQ", head, 235)
         count = newer or count
-    if header_size + 54 * vlrs > start or evlr_start + 60 * evlrs > size:
+    if not header_size + 54 * vlrs <= start <= size or evlr_start + 60 * evlrs > size:
         raise damaged(path, "its header announces more records than it has room for")
+    _check_records_after_points(path, stream, evlr_start, evlrs, size)
     if not 0 < record_size <= LARGEST_RECORD:
         raise damaged(path, f"its header announces {record_size} bytes a point")
     compressed = bool(kind & 0b1100_0000)

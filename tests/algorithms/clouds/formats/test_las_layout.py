@@ -6,7 +6,7 @@ import laspy
 import pytest
 from ichnograph.algorithms.clouds.formats.las_layout import count_warning, read_layout
 from ichnograph.algorithms.errors import InputError
-from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_las
+from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_copc, write_las
 
 
 def layout(path):
@@ -48,6 +48,7 @@ def test_points_that_the_header_does_not_announce_are_counted_by_the_length_of_t
         (24, "<B", 9, "there is no version 9"),
         (25, "<B", 6, "there is no version 1.6|ends within the header"),
         (100, "<I", 2**31, "announces more records than it has room for"),
+        (96, "<I", 2**31, "announces more records than it has room for"),
         (105, "<H", 65300, "announces 65300 bytes a point"),
         (107, "<I", 301, "announces 301 points, but it ends before the last"),
     ],
@@ -56,3 +57,11 @@ def test_what_contradicts_the_file_is_refused(tmp_path, position, code, value, p
     path = write_las(tmp_path / "scan.las", *las_records(300))
     with pytest.raises(InputError, match=problem):
         layout(changed(path, position, code, value))
+
+
+def test_a_record_after_the_points_that_is_longer_than_the_file_is_refused(tmp_path):
+    path = write_copc(tmp_path / "scan.copc.laz", *las_records(300, 6), 3)
+    start = struct.unpack_from("<Q", path.read_bytes(), 235)[0]
+    assert layout(path).count == 300
+    with pytest.raises(InputError, match="a record after its points announces more than there is"):
+        layout(changed(path, start + 20, "<Q", 2**40))
