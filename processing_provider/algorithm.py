@@ -177,9 +177,7 @@ class Algorithm(QgsProcessingAlgorithm):
                 recover(path.parent)
                 recover(path)
             wanted = {output.name: files.get(output) for output in self.destinations}
-            with warnings.catch_warnings(), compilation_announced(log.info):
-                # Of packages to their developers; QGIS would show them to the user.
-                warnings.simplefilter("ignore", DeprecationWarning)
+            with _without_deprecations(), compilation_announced(log.info):
                 outcome = self.compute({**values, **wanted}, log)
             styles = _write(files, outcome, sources, log, self._labels())
         focus = [str(path) for output, path in files.items() if output.focus]
@@ -267,6 +265,14 @@ def _write(
                     if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
                         temporary.with_suffix(".qml").write_text(style, encoding="utf-8")
     return styles
+
+
+@contextmanager
+def _without_deprecations() -> Iterator[None]:
+    """Keep from the user what packages tell their developers; QGIS would show it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        yield
 
 
 def _is_ours(style: Path) -> bool:

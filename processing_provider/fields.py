@@ -35,7 +35,12 @@ ALIASES = {
     "max_offset": "Largest offset (m)",
     # Facade
     "id": "Number",
+    "use": "Use",
     "shape": "Shape",
+    "head": "Head",
+    "measured": "Measured sides",
+    "open_side": "Open sides",
+    "wall_depth": "Depth of the wall (m)",
     "width": "Width (m)",
     "sill": "Sill (m)",
     "w_std": "Standard deviation of the width (m)",

@@ -71,6 +71,8 @@ def _reopen(layer: QgsMapLayer) -> None:
     layer.setDataSource(layer.source(), layer.name(), layer.providerType(), options)
     if local:
         forget_system(layer)
+    if isinstance(layer, QgsVectorLayer):
+        layer.updateExtents()
     layer.triggerRepaint()
 
 

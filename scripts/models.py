@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any, Union
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# The order of what Qt writes, which is random otherwise.
+os.environ["QT_HASH_SEED"] = "0"
 
 import ichnograph
 from qgis.core import (

@@ -63,6 +63,7 @@ def test_a_missing_package_disables_only_what_needs_it(provider, without):
         "siteplan",
         "densityimage",
         "extractwalls",
+        "findtargets",
         "thincloud",
         "transformcloud",
         "facadedetails",

@@ -70,6 +70,9 @@ def test_a_second_run_into_the_same_file_shows_the_new_walls_in_the_style_of_the
     after = {layer.name(): layer for layer in project.mapLayers().values()}
     assert after["Walls"] is before["Walls"] and len(after) == 2
     (plain,) = after["Walls"].getFeatures()
+    assert after["Walls"].extent().xMaximum() == pytest.approx(
+        plain.geometry().boundingBox().xMaximum(), abs=1e-6
+    )
     assert plain.geometry().area() > 1.2 * refined.geometry().area()
     assert after["Density image"].width() < 0.7 * pixels
     assert after["Walls"].opacity() == 0.5
