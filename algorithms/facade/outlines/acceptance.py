@@ -1,0 +1,35 @@
+"""Which holes of a wall are openings: those with enough straight sides that were seen."""
+
+from ..elevation import FREE
+from ..openings.content import Opening
+from .border import Border
+from .regular_outlines import Outline
+from .settings import AcceptanceSettings
+
+
+def is_opening(
+    opening: Opening,
+    border: Border,
+    outline: Outline,
+    settings: AcceptanceSettings = AcceptanceSettings(),
+) -> bool:
+    """Whether a hole is an opening, and not damage of the stone or the shadow of something in front.
+
+    Parameters
+    ----------
+    opening : Opening
+    border : Border
+    outline : Outline
+    settings : AcceptanceSettings
+    """
+    left, bottom, right, top = outline.polygon.bounds
+    shallow = opening.depth > -settings.damage_m
+    if shallow and min(right - left, top - bottom) < settings.narrow_m:
+        return False
+    if outline.shape == FREE:
+        whole = outline.polygon.area >= settings.solid * outline.polygon.convex_hull.area
+        return bool(whole and len(border.seen) and border.seen.mean() >= settings.seen)
+    measured = {name for name, std in vars(outline.edges).items() if std == std}
+    # Where a door stands on the ground, the wall cannot bound it.
+    bounded = measured | ({"bottom"} & set(opening.open_sides))
+    return len(measured) >= settings.measured and len(bounded) >= settings.bounded
