@@ -179,17 +179,24 @@ def _joined(regions: list[Region], states: States, limits: RegionSettings) -> li
 
 def _are_lights(first: Region, second: Region, limits: RegionSettings, size: float) -> bool:
     """Whether a post or a transom is all that separates two regions."""
+    one, other = _main_box(first), _main_box(second)
     for across, along in ((1, 0), (0, 1)):
-        gap = max(first.box[across].start, second.box[across].start) - min(
-            first.box[across].stop, second.box[across].stop
-        )
-        overlap = min(first.box[along].stop, second.box[along].stop) - max(
-            first.box[along].start, second.box[along].start
-        )
-        longest = max(_length(first.box[along]), _length(second.box[along]))
+        gap = max(one[across].start, other[across].start) - min(one[across].stop, other[across].stop)
+        overlap = min(one[along].stop, other[along].stop) - max(one[along].start, other[along].start)
+        longest = max(_length(one[along]), _length(other[along]))
         if gap * size <= limits.post_m and overlap >= limits.alike * longest:
             return True
     return False
+
+
+def _main_box(region: Region) -> Box:
+    """Return the box of a region without what hangs on to it, such as the shadow of a car."""
+    sides = []
+    for axis, side in enumerate(region.box):
+        widths = region.image.sum(axis=1 - axis)
+        (wide,) = np.nonzero(2 * widths >= widths.max())
+        sides.append(slice(side.start + int(wide[0]), side.start + int(wide[-1]) + 1))
+    return sides[0], sides[1]
 
 
 def _length(side: slice) -> int:

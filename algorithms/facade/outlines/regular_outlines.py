@@ -7,6 +7,7 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from ...geometry.circles import arc_through
+from ...geometry.polygons import made_valid, polygons_of
 from ..elevation import ARCH, CIRCLE, FREE, RECTANGLE, TRAPEZIUM, Edges
 from .border import Border
 from .edges import Edge, edge_deviation, fit_edge
@@ -163,7 +164,7 @@ def _polygon(sides: _Sides) -> Polygon:
     foot = [(left, bottom), (right, bottom)]
     head = [(right, top), (left, top)] if sides.head is None else sides.head.line.tolist()
     polygon = Polygon([*foot, *head])
-    return polygon if polygon.is_valid else polygon.convex_hull
+    return polygon if polygon.is_valid else Polygon(polygon.convex_hull.exterior)
 
 
 def _off(border: Border, polygon: Polygon) -> np.ndarray:
@@ -173,7 +174,7 @@ def _off(border: Border, polygon: Polygon) -> np.ndarray:
 
 
 def _iou(first: Polygon, second: Polygon) -> float:
-    both = first.intersection(second.buffer(0)).area
+    both = made_valid(first).intersection(made_valid(second)).area
     return float(both / max(first.area + second.area - both, 1e-12))
 
 
@@ -214,6 +215,7 @@ def _free(border: Border, ring: Polygon, settings: OutlineSettings) -> Outline:
         polygon = ring.simplify(gap)
     else:
         polygon = border.ring.simplify(0.5 * gap)
+    polygon = max(polygons_of(made_valid(polygon)), key=lambda part: part.area, default=ring)
     left, bottom, right, top = polygon.bounds
     u, v = border.crossings.T
     reach = settings.edges.corner_gaps * gap
