@@ -117,7 +117,9 @@ def _split(region: Region, limits: RegionSettings, size: float) -> Iterator[Regi
         return
     cuts = [(*_neck(region.image, axis), axis) for axis in (0, 1)]
     narrow, where, axis = min(cuts)
-    if narrow > (limits.neck if region.fill < limits.filled else limits.clear_neck) or max(shape) < 4:
+    full = region.fill >= limits.filled
+    clear = narrow <= limits.clear_neck and _length_of_neck(region.image, where, axis) * size >= limits.post_m
+    if max(shape) < 4 or (full and not clear) or narrow > limits.neck:
         yield region
         return
     for part in (slice(0, where), slice(where, shape[axis])):
@@ -157,6 +159,15 @@ def _neck(image: np.ndarray, axis: int) -> tuple[float, int]:
     if steps[step] < ratios[best]:
         return float(steps[step]), step + 1
     return float(ratios[best]), int(inner[best])
+
+
+def _length_of_neck(image: np.ndarray, where: int, axis: int) -> int:
+    """Return over how many rows or columns a neck stays about as narrow."""
+    widths = image.sum(axis=1 - axis)
+    wide = np.flatnonzero(widths > 2 * widths[where])
+    before, after = wide[wide < where], wide[wide > where]
+    start = before[-1] if len(before) else -1
+    return int((after[0] if len(after) else len(widths)) - start - 1)
 
 
 def _joined(regions: list[Region], states: States, limits: RegionSettings) -> list[Region]:

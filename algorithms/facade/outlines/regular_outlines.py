@@ -187,8 +187,10 @@ def _circle(border: Border, ring: Polygon, settings: OutlineSettings) -> Optiona
     if min(wide, tall) < shapes.round_box * max(wide, tall) or len(points) < settings.heads.fewest:
         return None
     arc = arc_through(points)
+    if arc is None:
+        return None
     for _ in range(shapes.rounds):
-        if arc is None or not 0.25 * wide < arc.radius < wide:
+        if not 0.25 * wide < arc.radius < wide:
             return None
         near = arc.distances(points) <= np.maximum(shapes.outlying_gaps * gaps, shapes.outlying_m)
         if near.mean() < 1 - shapes.contradicted:
