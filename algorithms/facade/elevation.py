@@ -291,6 +291,8 @@ class Elevation:
         What the user should know, in sentences.
     left_out : float
         Area of the holes of the wall that are not openings, because too few straight sides were seen (m2).
+    stains : int
+        Number of regions of another colour that are not details, because they have no straight sides.
     side : Side, optional
         From which the facade is seen, how sure that is, and why.
     parts : tuple of WallPart
@@ -305,5 +307,6 @@ class Elevation:
     rows: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: tuple[str, ...] = ()
     left_out: float = 0.0
+    stains: int = 0
     side: Optional[Side] = None
     parts: tuple[WallPart, ...] = ()

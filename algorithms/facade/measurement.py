@@ -12,11 +12,21 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
-from .elevation import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation, WallPart, frame_of
+from .elevation import (
+    COLOURED,
+    PROJECTION,
+    Detail,
+    Elevation,
+    Frame,
+    Points,
+    Segmentation,
+    WallPart,
+    frame_of,
+)
 from .openings.content import fill_regions
 from .openings.regions import find_regions
 from .openings.states import States, make_states
-from .outlines.acceptance import is_opening
+from .outlines.acceptance import is_opening, is_regular
 from .outlines.details import (
     Scene,
     TracedDetail,
@@ -178,6 +188,7 @@ def _elevation(
         _shown(scene, settings),
         (*_doubts(side, frame, settings), *_limits(points)),
         left_out,
+        sum(item.kind == COLOURED for item, _ in every) - sum(item.kind == COLOURED for item, _ in made),
         side,
         tuple(
             WallPart(layer.depth, float(layer.image.sum()) * states.grid.size**2) for layer in states.layers
@@ -195,6 +206,8 @@ def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
 
 
 def _is_accepted(item: TracedDetail, outline: Outline, settings: FacadeSettings) -> bool:
+    if item.kind == COLOURED and settings.regularise:
+        return is_regular(outline, settings.outlines.acceptance)
     if item.opening is None:
         return True
     return is_opening(item.opening, item.border, outline, settings.outlines.acceptance)

@@ -1,4 +1,6 @@
-"""Which holes of a wall are openings: those with enough straight sides that were seen."""
+"""Which holes and colours of a wall are details: those with enough straight sides that were seen."""
+
+import math
 
 from ..elevation import FREE
 from ..openings.content import Opening
@@ -29,7 +31,16 @@ def is_opening(
     if outline.shape == FREE:
         whole = outline.polygon.area >= settings.solid * outline.polygon.convex_hull.area
         return bool(whole and len(border.seen) and border.seen.mean() >= settings.seen)
-    measured = {name for name, std in vars(outline.edges).items() if std == std}
+    measured = _measured(outline)
     # Where a door stands on the ground, the wall cannot bound it.
     bounded = measured | ({"bottom"} & set(opening.open_sides))
     return len(measured) >= settings.measured and len(bounded) >= settings.bounded
+
+
+def is_regular(outline: Outline, settings: AcceptanceSettings = AcceptanceSettings()) -> bool:
+    """Whether a region of another colour was made: stains, joints and lamplight have no straight sides."""
+    return outline.shape != FREE and len(_measured(outline)) >= settings.bounded
+
+
+def _measured(outline: Outline) -> set[str]:
+    return {name for name, std in vars(outline.edges).items() if math.isfinite(std)}

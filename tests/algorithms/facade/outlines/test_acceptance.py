@@ -7,7 +7,7 @@ import pytest
 from ichnograph.algorithms.facade.elevation import FREE, RECESS, RECTANGLE, Edges
 from ichnograph.algorithms.facade.openings.content import DOOR, Opening
 from ichnograph.algorithms.facade.openings.regions import Region
-from ichnograph.algorithms.facade.outlines.acceptance import is_opening
+from ichnograph.algorithms.facade.outlines.acceptance import is_opening, is_regular
 from ichnograph.algorithms.facade.outlines.border import Border
 from ichnograph.algorithms.facade.outlines.regular_outlines import Outline
 from shapely.geometry import Polygon, box
@@ -50,3 +50,10 @@ def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():
     assert is_opening(HOLE, BORDER, gable)
     assert not is_opening(HOLE, BORDER, ragged)
     assert not is_opening(HOLE, replace(BORDER, seen=np.arange(10) < 5), gable)
+
+
+def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():
+    assert is_regular(outline())
+    assert is_regular(outline(top=NOT))
+    assert not is_regular(outline(top=NOT, left=NOT))
+    assert not is_regular(outline(shape=FREE))
