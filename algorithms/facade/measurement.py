@@ -18,6 +18,7 @@ from .elevation import (
     Detail,
     Elevation,
     Frame,
+    Plane,
     Points,
     Segmentation,
     WallPart,
