@@ -207,7 +207,7 @@ class Detail:
     head : str or None
         flat, sloped, segmental, round or pointed; None of a circle and of a free shape.
     use : str or None
-        Of an opening or a recess: window, door, passage or niche.
+        Of an opening or a recess: window, door or passage.
     open_sides : tuple of str
         left, right, bottom, top: where no wall bounds an opening.
     layer : float
@@ -289,6 +289,10 @@ class Elevation:
         The points of the facade and close behind it, without those of objects in front of it.
     warnings : tuple of str
         What the user should know, in sentences.
+    left_out : float
+        Area of the holes of the wall that are not openings, because too few straight sides were seen (m2).
+    stains : int
+        Number of regions of another colour that are not details, because they have no straight sides.
     side : Side, optional
         From which the facade is seen, how sure that is, and why.
     parts : tuple of WallPart
@@ -302,5 +306,7 @@ class Elevation:
     spacing: float
     rows: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: tuple[str, ...] = ()
+    left_out: float = 0.0
+    stains: int = 0
     side: Optional[Side] = None
     parts: tuple[WallPart, ...] = ()

@@ -12,10 +12,22 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
-from .elevation import PROJECTION, Detail, Elevation, Frame, Plane, Points, Segmentation, WallPart, frame_of
+from .elevation import (
+    COLOURED,
+    PROJECTION,
+    Detail,
+    Elevation,
+    Frame,
+    Plane,
+    Points,
+    Segmentation,
+    WallPart,
+    frame_of,
+)
 from .openings.content import fill_regions
 from .openings.regions import find_regions
 from .openings.states import States, make_states
+from .outlines.acceptance import is_opening, is_regular
 from .outlines.details import (
     Scene,
     TracedDetail,
@@ -150,7 +162,11 @@ def _elevation(
     settings: FacadeSettings,
 ) -> Elevation:
     large = [item for item in traced if _area(item) >= settings.smallest_m2]
-    made = [(item, _outline(item, settings)) for item in large]
+    every = [(item, _outline(item, settings)) for item in large]
+    made = [(item, outline) for item, outline in every if _is_accepted(item, outline, settings)]
+    left_out = sum(item.opening.polygon.area for item, _ in every if item.opening) - sum(
+        item.opening.polygon.area for item, _ in made if item.opening
+    )
     outlines: dict[str, list[Polygon]] = {}
     for item, outline in made:
         outlines.setdefault(item.kind, []).append(outline.polygon)
@@ -172,6 +188,8 @@ def _elevation(
         wall.spacing,
         _shown(scene, settings),
         (*_doubts(side, frame, settings), *_limits(points)),
+        left_out,
+        sum(item.kind == COLOURED for item, _ in every) - sum(item.kind == COLOURED for item, _ in made),
         side,
         tuple(
             WallPart(layer.depth, float(layer.image.sum()) * states.grid.size**2) for layer in states.layers
@@ -186,6 +204,14 @@ def _area(item: TracedDetail) -> float:
 def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
     region = None if item.opening is None else item.opening.polygon
     return make_outline(item.border, settings.regularise, settings.outlines, region)
+
+
+def _is_accepted(item: TracedDetail, outline: Outline, settings: FacadeSettings) -> bool:
+    if item.kind == COLOURED and settings.regularise:
+        return is_regular(outline, settings.outlines.acceptance)
+    if item.opening is None:
+        return True
+    return is_opening(item.opening, item.border, outline, settings.outlines.acceptance)
 
 
 def _rank(detail: Detail, row: float) -> tuple[float, float, str]:

@@ -116,6 +116,18 @@ class FacadeDetailsAlgorithm(Algorithm):
         elevation = measure_facade(points, settings, log.progress.part(0.35, 0.95), selection.plane)
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
+        if elevation.left_out:
+            log.info(
+                f"Holes of the wall of {elevation.left_out:.2f} m² in all are left out, because too few "
+                "straight sides of them were seen."
+            )
+        if elevation.stains:
+            log.info(
+                f"{elevation.stains} regions of another colour are left out, because they have no straight "
+                "sides; REGULARISE=no keeps them."
+            )
+        for part in elevation.parts[1:]:
+            log.info(f"A part of {part.area:.1f} m² lies {part.depth:+.2f} m from the main wall.")
         log.info(f"Details: {len(elevation.details)}; pixels of the orthoimage: {pixel_size:g} m.")
         writers = {}
         if values["REPORT"]:

@@ -1,4 +1,4 @@
-"""What is seen in an opening: its depth, and whether it is a window, a door, a passage or a blind niche."""
+"""What is seen in an opening: its depth, and whether it is a window, a door or a passage."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from .regions import Region, open_sides, solid_wall
 from .settings import ContentSettings
 from .states import States
 
-WINDOW, DOOR, PASSAGE, NICHE = "window", "door", "passage", "niche"
+WINDOW, DOOR, PASSAGE = "window", "door", "passage"
 SIDES = ("left", "right", "bottom", "top")
 
 
@@ -29,7 +29,7 @@ class Opening:
     kind : str
         `OPENING` or `RECESS`.
     use : str
-        `WINDOW`, `DOOR`, `PASSAGE` or `NICHE`.
+        `WINDOW`, `DOOR` or `PASSAGE`.
     depth : float
         Median distance of its content from the layer of the wall, negative; nan where nothing was seen.
     layer : int

@@ -117,7 +117,9 @@ def _split(region: Region, limits: RegionSettings, size: float) -> Iterator[Regi
         return
     cuts = [(*_neck(region.image, axis), axis) for axis in (0, 1)]
     narrow, where, axis = min(cuts)
-    if narrow > (limits.neck if region.fill < limits.filled else limits.clear_neck) or max(shape) < 4:
+    full = region.fill >= limits.filled
+    clear = narrow <= limits.clear_neck and _length_of_neck(region.image, where, axis) * size >= limits.post_m
+    if max(shape) < 4 or (full and not clear) or narrow > limits.neck:
         yield region
         return
     for part in (slice(0, where), slice(where, shape[axis])):
@@ -159,6 +161,15 @@ def _neck(image: np.ndarray, axis: int) -> tuple[float, int]:
     return float(ratios[best]), int(inner[best])
 
 
+def _length_of_neck(image: np.ndarray, where: int, axis: int) -> int:
+    """Return over how many rows or columns a neck stays about as narrow."""
+    widths = image.sum(axis=1 - axis)
+    wide = np.flatnonzero(widths > 2 * widths[where])
+    before, after = wide[wide < where], wide[wide > where]
+    start = before[-1] if len(before) else -1
+    return int((after[0] if len(after) else len(widths)) - start - 1)
+
+
 def _joined(regions: list[Region], states: States, limits: RegionSettings) -> list[Region]:
     """Return the regions, with the lights of one window as one."""
     regions = list(regions)
@@ -179,17 +190,24 @@ def _joined(regions: list[Region], states: States, limits: RegionSettings) -> li
 
 def _are_lights(first: Region, second: Region, limits: RegionSettings, size: float) -> bool:
     """Whether a post or a transom is all that separates two regions."""
+    one, other = _main_box(first), _main_box(second)
     for across, along in ((1, 0), (0, 1)):
-        gap = max(first.box[across].start, second.box[across].start) - min(
-            first.box[across].stop, second.box[across].stop
-        )
-        overlap = min(first.box[along].stop, second.box[along].stop) - max(
-            first.box[along].start, second.box[along].start
-        )
-        longest = max(_length(first.box[along]), _length(second.box[along]))
+        gap = max(one[across].start, other[across].start) - min(one[across].stop, other[across].stop)
+        overlap = min(one[along].stop, other[along].stop) - max(one[along].start, other[along].start)
+        longest = max(_length(one[along]), _length(other[along]))
         if gap * size <= limits.post_m and overlap >= limits.alike * longest:
             return True
     return False
+
+
+def _main_box(region: Region) -> Box:
+    """Return the box of a region without what hangs on to it, such as the shadow of a car."""
+    sides = []
+    for axis, side in enumerate(region.box):
+        widths = region.image.sum(axis=1 - axis)
+        (wide,) = np.nonzero(2 * widths >= widths.max())
+        sides.append(slice(side.start + int(wide[0]), side.start + int(wide[-1]) + 1))
+    return sides[0], sides[1]
 
 
 def _length(side: slice) -> int:

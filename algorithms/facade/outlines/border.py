@@ -179,7 +179,8 @@ def _shares(
             points, np.flatnonzero(side & np.isfinite(w)), near, far, settings.local_edges
         )
         hidden = front & (behind | before)
-        own = np.minimum((0.5 * steps + lost.widths(points[near], settings.lost_radius_m)) / widths, 0.5)
+        missing = np.minimum(lost.widths(points[near], settings.lost_radius_m), settings.beam_m)
+        own = np.minimum((0.5 * steps + missing) / widths, 0.5)
         shares[hidden] = (own if near is outer else 1 - own)[hidden]
         gaps[front] = np.where(hidden, steps, widths)[front]
     return shares, gaps

@@ -7,6 +7,7 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from ...geometry.circles import arc_through
+from ...geometry.polygons import made_valid, polygons_of
 from ..elevation import ARCH, CIRCLE, FREE, RECTANGLE, TRAPEZIUM, Edges
 from .border import Border
 from .edges import Edge, edge_deviation, fit_edge
@@ -163,7 +164,7 @@ def _polygon(sides: _Sides) -> Polygon:
     foot = [(left, bottom), (right, bottom)]
     head = [(right, top), (left, top)] if sides.head is None else sides.head.line.tolist()
     polygon = Polygon([*foot, *head])
-    return polygon if polygon.is_valid else polygon.convex_hull
+    return polygon if polygon.is_valid else Polygon(polygon.convex_hull.exterior)
 
 
 def _off(border: Border, polygon: Polygon) -> np.ndarray:
@@ -173,7 +174,7 @@ def _off(border: Border, polygon: Polygon) -> np.ndarray:
 
 
 def _iou(first: Polygon, second: Polygon) -> float:
-    both = first.intersection(second.buffer(0)).area
+    both = made_valid(first).intersection(made_valid(second)).area
     return float(both / max(first.area + second.area - both, 1e-12))
 
 
@@ -186,8 +187,10 @@ def _circle(border: Border, ring: Polygon, settings: OutlineSettings) -> Optiona
     if min(wide, tall) < shapes.round_box * max(wide, tall) or len(points) < settings.heads.fewest:
         return None
     arc = arc_through(points)
+    if arc is None:
+        return None
     for _ in range(shapes.rounds):
-        if arc is None or not 0.25 * wide < arc.radius < wide:
+        if not 0.25 * wide < arc.radius < wide:
             return None
         near = arc.distances(points) <= np.maximum(shapes.outlying_gaps * gaps, shapes.outlying_m)
         if near.mean() < 1 - shapes.contradicted:
@@ -214,6 +217,7 @@ def _free(border: Border, ring: Polygon, settings: OutlineSettings) -> Outline:
         polygon = ring.simplify(gap)
     else:
         polygon = border.ring.simplify(0.5 * gap)
+    polygon = max(polygons_of(made_valid(polygon)), key=lambda part: part.area, default=ring)
     left, bottom, right, top = polygon.bounds
     u, v = border.crossings.T
     reach = settings.edges.corner_gaps * gap

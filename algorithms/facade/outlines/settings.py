@@ -114,6 +114,20 @@ class ShapeSettings:
 
 
 @dataclass(frozen=True)
+class AcceptanceSettings:
+    """Which holes of a wall are openings."""
+
+    measured: int = judged(2, "Sides that were measured on the wall or its jambs.")
+    bounded: int = judged(3, "Sides that were measured, or are the ground.")
+    damage_m: float = physical(0.12, "Weathered stones and lost joints are hardly deeper.")
+    narrow_m: float = physical(
+        0.3, "Shallow holes that are narrower are damage; panels and niches are wider."
+    )
+    solid: float = judged(0.85, "A free shape fills this part of its convex hull; shadows are ragged.")
+    seen: float = judged(0.8, "The wall bounds this part of a free shape.")
+
+
+@dataclass(frozen=True)
 class WallSettings:
     """The outline of the whole wall."""
 
@@ -137,6 +151,7 @@ class OutlineSettings:
     edges: EdgeSettings = EdgeSettings()
     heads: HeadSettings = HeadSettings()
     shapes: ShapeSettings = ShapeSettings()
+    acceptance: AcceptanceSettings = AcceptanceSettings()
     wall: WallSettings = WallSettings()
     alpha_spacings: float = judged(
         1.8,

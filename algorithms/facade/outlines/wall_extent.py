@@ -6,6 +6,7 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
+from ...geometry.polygons import made_valid
 from ..elevation import COLOURED, PROJECTION
 from .settings import WallSettings
 from .surface import Surface
@@ -48,13 +49,18 @@ def complete(
     settings : WallSettings
     """
     smooth = settings.smooth_spacings * wall.spacing
-    before = unary_union(outlines.get(PROJECTION, []))
+    before = unary_union([made_valid(outline) for outline in outlines.get(PROJECTION, [])])
     shells = [Polygon(part.exterior) for part in wall.outline.geoms if part.area >= smallest]
-    seen = unary_union([part.simplify(smooth) for part in shells] + [before])
+    seen = unary_union([made_valid(part.simplify(smooth)) for part in shells] + [before])
     holed = [
-        outline for kind, own in outlines.items() if kind not in (COLOURED, PROJECTION) for outline in own
+        made_valid(outline)
+        for kind, own in outlines.items()
+        if kind not in (COLOURED, PROJECTION)
+        for outline in own
     ]
-    hidden = [Polygon(ring).simplify(smooth) for part in wall.outline.geoms for ring in part.interiors]
+    hidden = [
+        made_valid(Polygon(ring).simplify(smooth)) for part in wall.outline.geoms for ring in part.interiors
+    ]
     hidden += _strips(seen, before, deepest, wall.spacing, settings)
     unseen = unary_union(hidden).difference(unary_union([before, *holed]))
     # Slivers beside a projection are narrower than what was seen around them.
@@ -63,7 +69,7 @@ def complete(
     edge = unary_union([seen, *large, *holed])
     edge = edge.buffer(settings.notch_spacings * wall.spacing, join_style=2)
     back = settings.smooth_spacings - settings.notch_spacings
-    edge = edge.buffer(back * wall.spacing, join_style=2)
+    edge = made_valid(edge.buffer(back * wall.spacing, join_style=2))
     return WholeWall(edge.difference(unary_union(holed)), large)
 
 

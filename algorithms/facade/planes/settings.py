@@ -63,6 +63,7 @@ class SideSettings:
         0.1, "If the shares of the two sides that lie on the wall differ by less, holes show no side."
     )
     fewest_pixels: int = judged(10, "Fewer pixels beside the wall are chance and hardly count.")
+    most_m2: float = judged(2.0, "A single hole counts up to this area, so that many windows outvote a bay.")
     thinnest_m: float = physical(0.15, "Outer walls between street and room are not thinner.")
     thickest_m: float = physical(0.9, "Walls are hardly thicker; what lies farther off is another wall.")
     flat_m: float = judged(0.03, "Half of the range within which the points of a face lie.")

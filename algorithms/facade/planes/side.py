@@ -160,7 +160,12 @@ def _evidence(uvw: np.ndarray, wall: np.ndarray, sign: int, settings: SideSettin
     on = near & solid.ravel()[np.maximum(flat, 0)]
     face = find_face(flat[on], distances[on], int(own.sum()), settings)
     far = int(np.count_nonzero(inside & (distances > settings.far_m)))
-    return _Evidence(int(solid.ravel()[held].sum()), int(holes.ravel()[held].sum()), far, face)
+    seen = np.zeros(shape, bool)
+    seen.ravel()[held] = True
+    # A bay in front fills one hole, as large as it is; windows are many.
+    pieces, _ = ndimage.label(holes)
+    counts = np.minimum(np.bincount(pieces[seen & holes]), settings.most_m2 / size**2)
+    return _Evidence(int(solid.ravel()[held].sum()), int(counts.sum()), far, face)
 
 
 def _enclosed(wall: np.ndarray) -> np.ndarray:

@@ -7,6 +7,7 @@ import pytest
 from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS, Points
 from ichnograph.algorithms.facade.measurement import measure_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
+from ichnograph.tests.algorithms.facade.samples import bare, upright
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import in_scene, judge
 
@@ -163,12 +164,23 @@ def test_scans_of_different_gain_are_compared_each_with_its_own(medina):
     assert len(other.details) == len(elevation.details)
 
 
-def test_a_wall_without_details_is_a_wall(tmp_path):
-    from ichnograph.tests.algorithms.facade.samples import bare, upright
-
+def test_a_wall_without_details_is_a_wall():
     elevation = measure_facade(bare(upright(4, 3)), FacadeSettings())
     assert elevation.details == ()
     assert elevation.wall.area == pytest.approx(12, rel=0.005)
+
+
+def test_a_stain_is_left_out_and_counted_unless_the_plain_chain_is_asked_for():
+    xyz = upright(4, 3)
+    u, v = xyz[:, 0] - 2, xyz[:, 2] - 1.5
+    angle = np.arctan2(v, u)
+    stain = np.hypot(u, v) < 0.5 + 0.2 * np.sin(3 * angle) + 0.12 * np.cos(5 * angle)
+    rgb = np.where(stain[:, None], (110.0, 100, 90), (210.0, 200, 180)).astype(np.float32)
+    points = replace(bare(xyz), rgb=rgb)
+    elevation = measure_facade(points, FacadeSettings())
+
+    assert (elevation.details, elevation.stains) == ((), 1)
+    assert len(measure_facade(points, FacadeSettings(regularise=False)).details) == 1
 
 
 def test_without_regularise_every_outline_follows_the_points(medina):

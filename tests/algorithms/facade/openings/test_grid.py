@@ -1,7 +1,7 @@
 """Pixels of an elevation, and what is seen from them along rows and columns."""
 
 import numpy as np
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.facade.openings.grid import (
     ABOVE,
@@ -49,6 +49,7 @@ def test_the_first_barrier_is_seen_and_not_what_is_behind_it():
     assert seen[LEFT].tolist()[4] and not seen[LEFT].tolist()[2]
 
 
+@settings(deadline=None)
 @given(st.integers(0, 1000))
 def test_turning_the_image_turns_what_is_seen(seed):
     generator = np.random.default_rng(seed)

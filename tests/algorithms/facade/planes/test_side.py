@@ -49,6 +49,13 @@ def test_panes_in_its_holes_are_behind_a_wall(others):
     assert side_of(*parts).sure > 0.3
 
 
+def test_a_bay_does_not_outvote_the_windows_beside_it():
+    bay = (2.2, 0.2, 2.8, 3.8)
+    left = at(without(wall()[:, :2], *bay))
+    front = at(lattice(*bay, STEP), 0.6)
+    assert side_of(left, panes(), front, car()).sign == 1
+
+
 def test_rooms_with_more_points_than_the_street_do_not_decide():
     rooms = np.concatenate([street(-1) for _ in range(5)])
     inner = at(without(without(lattice(0, 0, 5, 3, STEP), *WINDOWS[0]), *WINDOWS[1]), -0.35)

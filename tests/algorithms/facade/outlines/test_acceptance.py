@@ -1,0 +1,59 @@
+"""A hole with enough straight sides is an opening; damage and shadows are not."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.facade.elevation import FREE, RECESS, RECTANGLE, Edges
+from ichnograph.algorithms.facade.openings.content import DOOR, Opening
+from ichnograph.algorithms.facade.openings.regions import Region
+from ichnograph.algorithms.facade.outlines.acceptance import is_opening, is_regular
+from ichnograph.algorithms.facade.outlines.border import Border
+from ichnograph.algorithms.facade.outlines.regular_outlines import Outline
+from shapely.geometry import Polygon, box
+
+NOT = float("nan")
+SHAPE = box(0, 0, 1, 1.5)
+REGION = Region((slice(0, 1), slice(0, 1)), np.ones((1, 1), bool), 0.0)
+HOLE = Opening(REGION, SHAPE, RECESS, DOOR, -0.2, 0, (), np.empty(0, int))
+BORDER = Border(SHAPE, np.zeros((10, 2)), np.ones(10), np.ones(10, bool))
+
+
+def outline(left=0.001, right=0.001, bottom=0.001, top=0.001, polygon=SHAPE, shape=RECTANGLE):
+    return Outline(shape, None, polygon, Edges(left, right, bottom, top), 0.001)
+
+
+@pytest.mark.parametrize(("hidden", "accepted"), [
+    ((), True), (("top",), True), (("top", "left"), False), (("top", "left", "right"), False),
+])  # fmt: skip
+def test_three_sides_are_enough(hidden, accepted):
+    assert is_opening(HOLE, BORDER, outline(**dict.fromkeys(hidden, NOT))) == accepted
+
+
+def test_the_ground_is_a_side_of_a_door():
+    door = replace(HOLE, open_sides=("bottom",))
+    assert is_opening(door, BORDER, outline(bottom=NOT, top=NOT))
+    assert not is_opening(replace(HOLE, open_sides=("top",)), BORDER, outline(bottom=NOT, top=NOT))
+
+
+def test_shallow_small_holes_are_damage():
+    stone = outline(polygon=box(0, 0, 0.4, 0.2))
+    assert not is_opening(replace(HOLE, depth=-0.06), BORDER, stone)
+    assert is_opening(replace(HOLE, depth=-0.3), BORDER, stone)
+    assert is_opening(replace(HOLE, depth=-0.06), BORDER, outline())
+
+
+def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():
+    gable = outline(polygon=Polygon([(0, 0), (1, 0), (0.5, 1)]), shape=FREE)
+    ragged = outline(polygon=SHAPE.difference(box(0.2, 0.2, 1, 0.8)), shape=FREE)
+
+    assert is_opening(HOLE, BORDER, gable)
+    assert not is_opening(HOLE, BORDER, ragged)
+    assert not is_opening(HOLE, replace(BORDER, seen=np.arange(10) < 5), gable)
+
+
+def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():
+    assert is_regular(outline())
+    assert is_regular(outline(top=NOT))
+    assert not is_regular(outline(top=NOT, left=NOT))
+    assert not is_regular(outline(shape=FREE))
