@@ -81,7 +81,8 @@ def find_facades(
 ) -> tuple[Facade, ...]:
     """Return the facades of a cloud, by number.
 
-    Walls inside a building, and those of which only the rooms behind them were seen, are left out.
+    Walls inside a building, those of which only the rooms behind them were seen, and small ones that are seen
+    through the openings of a facade are left out.
 
     Parameters
     ----------
@@ -110,7 +111,8 @@ def find_facades(
     progress.update(0.8)
     cloud = _Cloud(near, scan[rows], stations, even_points(xyz, settings.openness.cube_m))
     found = [_facade(group, cloud, settings) for group in _groups(patches, settings)]
-    facades = [facade for facade in found if facade is not None]
+    known = [facade for facade in found if facade is not None]
+    facades = [facade for facade in known if not any(_is_within(facade, other, settings) for other in known)]
     facades.sort(key=lambda facade: (-(facade.seen or 0), -facade.points))
     return tuple(replace(facade, number=number) for number, facade in enumerate(facades, start=1))
 
@@ -256,6 +258,15 @@ def _is_inside(covered: np.ndarray, held: np.ndarray, settings: BuildingSettings
     limits = settings.openness
     rooms = covered > limits.covered
     return bool(rooms.all() or (rooms[1] and held[0] < limits.outside * held[1]))
+
+
+def _is_within(facade: Facade, front: Facade, settings: BuildingSettings) -> bool:
+    """Whether a wall is a part of the rooms or passages that are seen through a larger facade."""
+    if facade.area > settings.small * front.area or facade.top > front.top:
+        return False
+    beside, away = ((facade.ends - front.ends[0]) @ front.axes.T).T
+    behind = (away < settings.before_it_m) & (away > -settings.behind_m)
+    return bool(np.all(behind & (beside > 0) & (beside < front.length)))
 
 
 def _outermost(group: list[Patch], outward: np.ndarray, settings: BuildingSettings) -> list[Patch]:

@@ -80,6 +80,9 @@ class BuildingSettings:
         0.4,
         "A plane that lies behind others with more of itself is an inner face; windows interrupt them.",
     )
+    small: float = judged(
+        0.4, "A wall behind a facade is a part of its rooms if its area is this part at most."
+    )
     on_wall_m: float = physical(0.1, "Points this near to a wall count as its points.")
     nearest_m: float = physical(30.0, "A picked point farther from every facade is in another system.")
     key_m: float = judged(0.1, "Squares of the key plan; a metre is about 10 pixels on a small site.")

@@ -54,7 +54,8 @@ def write_drawing(path: Path, elevation: Elevation, settings: DrawingSettings = 
             _add(drawing, area, "UNSEEN", elevation.spacing, settings)
         for detail in elevation.details:
             _add(drawing, detail.outline, layer_of(detail.kind), elevation.spacing, settings)
-            drawing.polygon(detail.raw, "RAW")
+            if not detail.raw.is_empty:
+                drawing.polygon(detail.raw, "RAW")
             drawing.text(str(detail.number), detail.outline.centroid, settings.text_m, "TEXT")
         add_dimensions(drawing, elevation, settings)
         add_levels(drawing, elevation, settings)

@@ -5,7 +5,7 @@ from typing import Optional
 
 import numpy as np
 
-from ...reporting.figures import COLOURS, GREY, RED
+from ...reporting.figures import COLOURS, RED
 from ...reporting.maps import Map
 from ...reporting.numbers import number
 from ...reporting.page import write_page
@@ -18,7 +18,11 @@ TEMPLATE = Path(__file__).parent / "templates" / "facade.html"
 ARROW = 1.0
 """Length of the arrow that shows where a facade faces (m)."""
 
-DOT = 0.8
+MARGIN = 2.0
+"""What the key plan shows around the facades (m)."""
+
+PIXELS, WHITE, SHADE = 600, 255, 185
+"""Of the picture of all points on it: the longer side, and grey values."""
 
 
 def write_report(path: Path, selection: Selection, elevation: Elevation) -> None:
@@ -52,8 +56,10 @@ def _key_plan(selection: Selection) -> str:
     """Return the plan of the cloud with its facades; the chosen one is red."""
     facades = selection.facades
     ends = np.concatenate([facade.ends for facade in facades])
-    with Map.around(ends + np.array([[-ARROW], [ARROW]])[np.arange(len(ends)) % 2]) as plan:
-        plan.dots(selection.even[plan.shows(selection.even)], GREY, DOT)
+    margin = np.array([MARGIN, MARGIN])
+    low, high = ends.min(axis=0) - margin, ends.max(axis=0) + margin
+    with Map.around(np.array([low, high])) as plan:
+        plan.picture(*_seen_in_plan(selection.even, low, high))
         for facade in facades:
             chosen = facade is selection.chosen
             colour, width = (RED, 3.0) if chosen else (COLOURS[0], 2.0)
@@ -64,6 +70,17 @@ def _key_plan(selection: Selection) -> str:
         kinds = ["red" if facade is selection.chosen else "strong" for facade in facades]
         plan.names(places, [str(facade.number) for facade in facades], kinds, leading=len(facades))
         return plan.svg()
+
+
+def _seen_in_plan(even: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return a picture of the points between two corners, and its north-west and south-east corners."""
+    size = float(np.max(high - low)) / PIXELS
+    columns, rows = np.ceil((high - low) / size).astype(int)
+    places = np.floor((even - low) / size).astype(np.int64)
+    places = places[((places >= 0) & (places < (columns, rows))).all(axis=1)]
+    picture = np.full((rows, columns, 3), WHITE, np.uint8)
+    picture[rows - 1 - places[:, 1], places[:, 0]] = SHADE
+    return picture, np.array([[low[0], low[1] + rows * size], [low[0] + columns * size, low[1]]])
 
 
 def _facade_row(facade: Facade) -> tuple[str, ...]:

@@ -59,6 +59,12 @@ def test_a_storey_set_back_belongs_to_its_facade_and_a_house_farther_back_does_n
     assert joined.height == pytest.approx(6, abs=0.3)
 
 
+def test_the_back_of_a_room_seen_through_a_window_is_no_facade():
+    front = upright((0, 0), (10, 0), 0, 6, [(3, 6, 1, 4)])
+    back = upright((3, 4), (6, 4), 1, 4)
+    assert len(facades(np.concatenate([front, back, level(-5, -10, 15, 0, 0)]))) == 1
+
+
 def test_the_order_of_the_points_does_not_matter():
     xyz = block()
     order = np.random.default_rng(1).permutation(len(xyz))

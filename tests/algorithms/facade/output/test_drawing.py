@@ -10,6 +10,7 @@ from ichnograph.algorithms.facade.elevation import KINDS
 from ichnograph.algorithms.facade.output.drawing import layer_of, write_drawing
 from ichnograph.tests.algorithms.facade.samples import small_elevation
 from ichnograph.tests.scenes.facades.streets.openings import round_arch
+from shapely.geometry import Polygon
 
 TOLERANCE = 1e-5
 """A hundredth of a millimetre (m)."""
@@ -44,6 +45,16 @@ def test_arches_are_drawn_as_lines_and_arcs(tmp_path):
     model = ezdxf.readfile(tmp_path / "drawing.dxf").modelspace()
     (outline,) = model.query("LWPOLYLINE[layer=='OPENING']")
     assert len(outline) == 4 and max(np.abs(outline.get_points("b"))) == pytest.approx(1, abs=1e-3)
+
+
+def test_details_without_a_raw_outline_are_drawn(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf is not installed")
+    elevation = small_elevation()
+    bare = replace(elevation.details[0], raw=Polygon())
+    write_drawing(tmp_path / "drawing.dxf", replace(elevation, details=(bare,)))
+    model = ezdxf.readfile(tmp_path / "drawing.dxf").modelspace()
+    assert len(model.query("LWPOLYLINE[layer=='OPENING']")) == 1
+    assert not model.query("LWPOLYLINE[layer=='RAW']")
 
 
 def test_programs_open_the_drawing_at_its_size(document):
