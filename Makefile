@@ -155,6 +155,9 @@ sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or l
 cancel: setup  ## Print how long a cancel takes, and the longest time without progress, for every algorithm
 	$(RUN) -m ichnograph.benchmarks.cancel
 
+leaks: setup  ## Print how memory and open files grow over 200 runs of every algorithm (E57=)
+	$(RUN) -m ichnograph.benchmarks.leaks $(if $(E57),--e57 $(E57))
+
 kills: setup  ## Print what runs leave that are killed while they write
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.kills
 

@@ -1,7 +1,7 @@
 """E57, read by the libE57Format of the optional package pye57."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -158,16 +158,16 @@ def _blocks(path: Path, scan: Scan, size: int) -> Iterator[dict[str, np.ndarray]
         buffers = library.VectorSourceDestBuffer()
         for name, array in arrays.items():
             buffers.append(library.SourceDestBuffer(image, name, array, size, True, True))
-        reader = node["points"].reader(buffers)
-        while count := reader.read():
-            valid = np.ones(count, bool)
-            for name in scan.fields:
-                if name in INVALID:
-                    valid &= arrays[name][:count] == 0
-                elif name in CARTESIAN or name in SPHERICAL:
-                    valid &= np.isfinite(arrays[name][:count])
-            yield {plain_name(name): array[:count][valid] for name, array in arrays.items()}
-        reader.close()
+        # Whoever reads may stop early, and an open reader keeps its memory.
+        with closing(node["points"].reader(buffers)) as reader:
+            while count := reader.read():
+                valid = np.ones(count, bool)
+                for name in scan.fields:
+                    if name in INVALID:
+                        valid &= arrays[name][:count] == 0
+                    elif name in CARTESIAN or name in SPHERICAL:
+                        valid &= np.isfinite(arrays[name][:count])
+                yield {plain_name(name): array[:count][valid] for name, array in arrays.items()}
 
 
 def _sample(path: Path, scan: Scan, settings: ReadingSettings) -> dict[str, np.ndarray]:

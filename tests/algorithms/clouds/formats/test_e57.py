@@ -223,3 +223,19 @@ def test_a_real_scan_has_the_points_of_its_ptx(tmp_path):
     xyz, _, rgb, _ = read(folder / "pumpAVisualReferenceImage.e57", 1_000_000)
     np.testing.assert_allclose(xyz, np.concatenate([chunk.xyz for chunk in chunks]), atol=1e-9)
     np.testing.assert_array_equal(rgb, np.concatenate([chunk.rgb for chunk in chunks]))
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is read as Linux has it")
+def test_files_that_are_opened_again_and_again_take_no_more_memory(tmp_path):
+    path = write_e57(tmp_path / "a.e57", np.random.default_rng(0).uniform(0, 9, (3000, 3)))
+
+    def pages():
+        return int(Path("/proc/self/statm").read_text().split()[1])
+
+    for _ in range(5):
+        E57Source.open(path)
+    before = pages()
+    for _ in range(20):
+        E57Source.open(path)
+
+    assert pages() - before < 2500, "10 MB; an open reader keeps 2 MB"
