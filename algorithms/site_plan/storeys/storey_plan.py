@@ -106,14 +106,17 @@ def make_storey_plan(
     """
     progress.update(0.0, "Reducing points to voxels")
     voxels = make_voxels(chunks, settings.voxels)
+    progress.update(0.3, "Finding the storey")
     storey = find_storey(voxels, settings.levels)
     if storey is None or (under_ceiling and storey.ceiling is None):
         return _nothing(voxels)
     if storey.ceiling is not None:
+        progress.update(0.35)
         voxels = near_roof(voxels, storey, settings.levels, settings.roof)
     progress.update(0.4, "Finding faces")
     fine, coarse = _frames(voxels, settings)
     uprights = find_uprights(voxels, storey.floor, fine, settings.levels)
+    progress.update(0.5)
     sheets = find_sheets(uprights, voxels.noise_m, voxels.spacing_m, settings.sheets)
     sheets = share_lines(square_up(sheets, settings.sheets), settings.sheets)
     if not sheets:
@@ -125,7 +128,9 @@ def make_storey_plan(
     division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
     rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
+    progress.update(0.9)
     walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
+    progress.update(0.95)
     return StoreyPlan(
         walls=tuple(walls),
         rooms=tuple(rooms),

@@ -188,8 +188,10 @@ def extract_wall_pixels(
         steps.append(_step(value, selection, possible))
     if not votes.any():
         raise NothingFoundError(_what_removed(gate, parameters, criteria, steps))
+    progress.update(1.0, "Closing gaps")
     gap = parameters.gap(gate, settings.closing)
     walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
+    progress.check()
     walls = bridge_corners(walls, gated)
     return WallImage(walls, votes, gated, gate, thresholds, tuple(steps), gap, criteria, parameters, settings)
 
