@@ -18,6 +18,9 @@ POLL_S = 0.1
 GRACE_S = 0.5
 """Time in which the core notices by itself."""
 
+AGAIN_S = 1.0
+"""Time after which it is interrupted again: what is raised in a callback of another package may be lost."""
+
 
 class _InterruptedError(CancelledError):
     """Raised by the watching thread, which cannot pass a message."""
@@ -45,11 +48,12 @@ def interruptible(is_cancelled: Callable[[], bool]) -> Iterator[None]:
         while not ended.wait(POLL_S):
             if is_cancelled():
                 break
-        if ended.wait(GRACE_S):
-            return
-        with turn:
-            if not ended.is_set():
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(computing, ctypes.py_object(_InterruptedError))
+        pause = GRACE_S
+        while not ended.wait(pause):
+            with turn:
+                if not ended.is_set():
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(computing, ctypes.py_object(_InterruptedError))
+            pause = AGAIN_S
 
     watcher = threading.Thread(target=watch, name="cancel", daemon=True)
     watcher.start()

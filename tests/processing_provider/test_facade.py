@@ -101,9 +101,8 @@ def test_the_orthoimage_covers_the_elevation(written):
 
 
 def test_the_same_input_gives_the_same_bytes(run, facade, written, tmp_path):
-    names = ("ELEVATION", "ORTHOIMAGE", "SCHEDULE")
-    again = run("facadedetails", INPUT=facade, **{name: str(tmp_path / FILES[name]) for name in names})
-    for name in names:
+    again = run("facadedetails", INPUT=facade, **{name: str(tmp_path / file) for name, file in FILES.items()})
+    for name in FILES:
         first, second = (open(result[name], "rb").read() for result in (written, again))  # noqa: PTH123, SIM115
         assert first == second, name
 

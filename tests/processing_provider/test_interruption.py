@@ -61,3 +61,14 @@ def test_compiling_is_announced_once():
     assert len(said) == 1 and "compiles" in said[0]
     numba.njit(lambda x: x * 2)(1)
     assert len(said) == 1
+
+
+def test_an_interrupt_that_is_lost_in_a_callback_comes_again():
+    start = time.monotonic()
+    with pytest.raises(CancelledError), interruptible(lambda: True):
+        try:
+            busy(10)
+        except CancelledError:
+            busy(10)
+
+    assert time.monotonic() - start < 0.1 + 0.5 + 1.0 + 1.0

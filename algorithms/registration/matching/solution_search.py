@@ -66,10 +66,10 @@ def find_solutions(space: SearchSpace, least: int, progress: Progress = Progress
             break
         share = max(last / count, placed / search.most_placed)
         solutions, refinements = _extended(
-            space, nodes, least, solutions, progress.part(share, share + 1 / count)
+            space, nodes, least, solutions, progress.part(min(share, 1.0), 1.0)
         )
         # To refine a seed, all targets are compared with all points, nearly once for each target.
-        placed += len(nodes) * count + refinements * points * count * max(count // REFINED, 1)
+        placed += len(nodes) * count + refinements * _placed_by_refining(space)
     order = sorted(solutions, key=lambda item: (-item.matched, round(item.misfit, 6), item.labels.tolist()))
     return Solutions(tuple(order), complete)
 
@@ -106,19 +106,27 @@ def _extended(
     scores = matched_at_most(space, poses, mine, theirs)
     for solution in solutions:
         scores[_within(space, solution, mine, theirs)] = 0
-    refinements = 0
+    refinements, step = 0, _placed_by_refining(space) / search.most_placed
     while len(scores):
         progress.check()
         top = int(scores.argmax())
         if scores[top] < enough(solutions, least, search):
             break
+        done = min(refinements * step, 1.0)
+        part = progress.part(done, min(done + step, 1.0))
         refinements += 1
-        solution = refined(space, mine[top], theirs[top], progress)
+        solution = refined(space, mine[top], theirs[top], part)
         scores[top] = 0
         # Other seeds within this solution lead to it again.
         scores[_within(space, solution, mine, theirs)] = 0
         solutions = with_solution(solution, solutions, least, space.size, search)
     return solutions, refinements
+
+
+def _placed_by_refining(space: SearchSpace) -> int:
+    """Return how many targets could be placed in the time that it takes to refine a seed."""
+    count = len(space.targets)
+    return len(space.control.points) * count * max(count // REFINED, 1)
 
 
 def _within(space: SearchSpace, solution: Solution, mine: np.ndarray, theirs: np.ndarray) -> np.ndarray:
