@@ -9,7 +9,7 @@ from ..examination import Examination, FailedError
 from ..range_image.range_image import RangeImage
 from ..results import Kind, Rejection, Target
 from .candidates import Candidate
-from .extent import Extent, extent_of, quadrants, tiled
+from .extent import Extent, Quadrants, extent_of, quadrants, tiled
 from .pattern import Pattern, first_pattern, fit_pattern
 from .plane import RayPlane, fit_plane
 from .settings import AcceptanceSettings, CheckerboardSettings
@@ -140,9 +140,10 @@ def _fitted(
     pattern = fit_pattern(first, places, seen.intensities, settings.pattern)
     _examine_pattern(exam, pattern, tests)
     exam.at_most("shift of the centre", np.hypot(*pattern.centre), radius / 2, "m")
-    counts, agreement = quadrants(pattern, places, seen.intensities)
-    exam.at_least("points in the poorest quadrant", counts.min(), tests.fewest_in_quadrant)
-    exam.at_least("points of the colour of their quadrant", agreement.min(), tests.least_agreement)
+    four = quadrants(pattern, places, seen.intensities)
+    exam.at_least("points in the poorest quadrant", four.counts.min(), tests.fewest_in_quadrant)
+    exam.at_least("points of the colour of their quadrant", four.agreement.min(), tests.least_agreement)
+    exam.at_most("difference between quadrants of one colour", four.unevenness, tests.most_uneven)
     ray = frame.position(pattern.centre)
     xyz = plane.meets(ray / np.linalg.norm(ray))
     covariance = _covariance(plane, frame, pattern, xyz)
@@ -153,9 +154,9 @@ def _fitted(
         size=extent.size,
         points=len(places),
         incidence_deg=plane.incidence_deg(xyz),
-        quality=float(pattern.explained * min(1.0, counts.min() / counts.mean()) ** 0.5),
+        quality=float(pattern.explained * min(1.0, four.counts.min() / four.counts.mean()) ** 0.5),
     )
-    return replace(target, doubt=_doubt(target, pattern, counts, extent, tests))
+    return replace(target, doubt=_doubt(target, pattern, four, extent, tests))
 
 
 def _seen(image: RangeImage, xyz: np.ndarray, radius: float) -> Seen:
@@ -194,8 +195,8 @@ def _examine_extent(
     low, high = tests.sizes_m
     if size is not None:
         low, high = size * (1 - tests.size_tolerance), size * (1 + tests.size_tolerance)
-    exam.at_least("width of the pattern", extent.size, low, "m")
-    exam.at_most("width of the pattern", extent.size, high, "m")
+    exam.at_least("width of the pattern", extent.size, low - 2 * extent.ring, "m")
+    exam.at_most("width of the pattern", extent.size, high + 2 * extent.ring, "m")
 
 
 def _covariance(plane: RayPlane, frame: Frame, pattern: Pattern, xyz: np.ndarray) -> np.ndarray:
@@ -206,13 +207,15 @@ def _covariance(plane: RayPlane, frame: Frame, pattern: Pattern, xyz: np.ndarray
 
 
 def _doubt(
-    target: Target, pattern: Pattern, counts: np.ndarray, extent: Extent, tests: AcceptanceSettings
+    target: Target, pattern: Pattern, four: Quadrants, extent: Extent, tests: AcceptanceSettings
 ) -> str:
     """Return why a target is doubtful; empty if it is not."""
     if pattern.explained < tests.sure_explained:
         return f"two edges explain only {pattern.explained:.0%} of the intensities"
-    if counts.min() < tests.sure_in_quadrant:
-        return f"only {counts.min()} points in a quadrant"
+    if four.counts.min() < tests.sure_in_quadrant:
+        return f"only {four.counts.min()} points in a quadrant"
+    if four.unevenness > tests.sure_uneven:
+        return "its quadrants of one colour differ in tone"
     if extent.evenness < tests.sure_evenness:
         return "its quadrants end at different distances"
     if target.std > tests.sure_std_m:

@@ -17,9 +17,12 @@ class Extent:
     reach : ndarray, shape (4,)
         How far the points of each quadrant have its colour, metres from the centre; infinite if farther than
         was looked. Quadrants 0 and 2 are white.
+    ring : float
+        How exactly a width is known, metres.
     """
 
     reach: np.ndarray
+    ring: float
 
     @property
     def size(self) -> float:
@@ -43,7 +46,8 @@ def extent_of(
 ) -> Extent:
     """Return how far each quadrant reaches.
 
-    Each quadrant is divided into sectors, and these into rings. A sector ends with the first ring whose
+    Beside its two edges each quadrant is divided into sectors, and these into rings: there squares and discs
+    reach as far. A sector ends with the first ring whose
     intensity is nearer to the other colour or far from both, or before two rings without points.
 
     Parameters
@@ -65,32 +69,50 @@ def extent_of(
     width = max(settings.ring_m, 1.5 * spacing)
     rings = int(settings.largest_m / 2 / width) + 1
     start = int(np.ceil(2.0 * pattern.blur / width)) + 1
-    sectors = int(np.clip(0.04 / spacing / settings.sector_points, 2, settings.sectors))
+    count = int(np.clip(0.04 / spacing / settings.sector_points, 1, settings.sectors))
+    flank = settings.margin + (settings.flank - settings.margin) * np.arange(count + 1) / count
+    sectors = [*zip(flank, flank[1:]), *zip(1 - flank[1:], 1 - flank)]
     reach = np.zeros(4)
-    margin = settings.margin
     for number in range(4):
         ends = []
-        for sector in range(sectors):
-            low = margin + (1 - 2 * margin) * sector / sectors
-            high = margin + (1 - 2 * margin) * (sector + 1) / sectors
+        for low, high in sectors:
             here = (quadrant == number) & (within >= low) & (within < high)
             ends.append(_end(distance[here], agrees[here], width, start, rings, settings.share))
-        reach[number] = np.quantile(ends, 0.25, method="lower")
-    return Extent(reach)
+        reach[number] = np.quantile(ends, 0.5, method="lower")
+    return Extent(reach, width)
 
 
-def quadrants(pattern: Pattern, places: np.ndarray, intensities: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of points in each quadrant, and the share of them that has its colour.
+@dataclass(frozen=True)
+class Quadrants:
+    """What was seen in the four quadrants.
 
-    Points on the blurred edges have no colour and do not count in the share.
+    Attributes
+    ----------
+    counts : ndarray of int, shape (4,)
+        Numbers of points.
+    agreement : ndarray, shape (4,)
+        Share of the points off the edges that are nearer to the colour of their quadrant.
+    unevenness : float
+        Largest difference of tone between quadrants of one colour, in units of half the contrast.
     """
+
+    counts: np.ndarray
+    agreement: np.ndarray
+    unevenness: float
+
+
+def quadrants(pattern: Pattern, places: np.ndarray, intensities: np.ndarray) -> Quadrants:
+    """Return what was seen in the four quadrants; points on the blurred edges have no colour."""
     quadrant, _ = _quadrants(pattern, places - pattern.centre)
     counts = np.bincount(quadrant, minlength=4)
     clear = np.min(np.abs(pattern.distances(places)), axis=1) > pattern.blur
     wanted = np.where(quadrant % 2 == 0, 1.0, -1.0)
-    agrees = (intensities - pattern.middle) * wanted > 0
-    right = np.bincount(quadrant[clear], agrees[clear], minlength=4)
-    return counts, right / np.maximum(np.bincount(quadrant[clear], minlength=4), 1)
+    tone = (intensities - pattern.middle) / abs(pattern.half)
+    of_colour = np.maximum(np.bincount(quadrant[clear], minlength=4), 1)
+    right = np.bincount(quadrant[clear], (tone * wanted)[clear] > 0, minlength=4)
+    tones = np.bincount(quadrant[clear], tone[clear], minlength=4) / of_colour
+    unevenness = float(max(abs(tones[0] - tones[2]), abs(tones[1] - tones[3])))
+    return Quadrants(counts, right / of_colour, unevenness)
 
 
 def tiled(

@@ -72,10 +72,11 @@ class ExtentSettings:
 
     largest_m: float = physical(0.45, "A target of 300 mm, with what is beside it, is looked at.")
     ring_m: float = judged(0.004, "Width of the rings, where points are not sparser; the size is so exact.")
-    sectors: int = judged(6, "Of a quadrant; a lower quartile of them is not misled by a clip or a corner.")
+    sectors: int = judged(3, "Beside each edge of a quadrant; their median is not misled by a clip.")
     sector_points: float = statistical(
         2.0, "Points across a sector at 40 mm from the centre; sparser patterns have fewer sectors."
     )
+    flank: float = judged(0.38, "Part of a quadrant beside each edge that is looked at, 34 degrees.")
     margin: float = judged(0.12, "Part of a quadrant beside each edge that is not looked at, nor its blur.")
     tone: float = judged(
         0.5, "Most distance from the colour, in units of half the contrast; the other colour is 2 away."
@@ -109,12 +110,17 @@ class AcceptanceSettings:
     least_agreement: float = judged(
         0.8, "Share of the points in each quadrant that are nearer to its colour than to the other one."
     )
+    most_uneven: float = judged(
+        0.4,
+        "Of half the contrast. Prints differ by 0.05; fields that meet by chance have tones of their own.",
+    )
+    sure_uneven: float = judged(0.15, "Where the tones differ more, a target is doubtful.")
     rim_blurs: float = statistical(
         2.5, "Points nearer to the rim, in units of the blur, mix the target with what is behind it."
     )
     most_rim: float = judged(0.25, "Part of the half width that is given up for it at most.")
     sizes_m: tuple[float, float] = physical(
-        (0.065, 0.34), "Targets are 75 to 300 mm wide; the width is known to a tenth."
+        (0.065, 0.33), "Targets are 75 to 300 mm wide; a tenth, and the width of a ring, are allowed."
     )
     size_tolerance: float = judged(0.15, "The width of the pattern is measured to a tenth.")
     sure_explained: float = judged(0.75, "Below this a target is doubtful.")

@@ -31,7 +31,7 @@ class RangeImage:
     xyz : ndarray of float32, shape (n, 3)
         The points, sorted by their pixel, relative to the scanner.
     intensity : ndarray of uint16, shape (n,), or None
-    starts : ndarray of int64, shape (rows * columns + 1,)
+    starts : ndarray of uint32, shape (rows * columns + 1,)
         The points of pixel i are those from starts[i] to starts[i + 1].
     ranges : ndarray of float32, shape (rows, columns)
         Of the first point of each pixel, metres; 0 where there is none.
@@ -125,9 +125,14 @@ def image_of(station: Station, name: str, settings: RangeImageSettings = RangeIm
     rows = int((elevation.max() - floor) / step) + 1
     if rows * columns > settings.most_pixels_per_point * max(len(xyz), 10_000):
         raise _not_one_station(name, station.position, f"its {len(xyz)} points fill too few directions")
-    column = np.minimum((azimuth * (period / (2.0 * np.pi))).astype(np.int64), columns - 1)
-    pixel = ((elevation - floor) / step).astype(np.int64) * columns + column
+    kind = np.int32 if rows * columns < 2**31 else np.int64
+    pixel = ((elevation - floor) / step).astype(kind)
+    pixel *= columns
+    pixel += np.minimum((azimuth * (period / (2.0 * np.pi))).astype(np.int32), columns - 1)
+    # Tens of millions of points: what is no longer needed makes room.
+    del azimuth, elevation
     starts, order = _sorted(pixel, rows * columns)
+    del pixel
     ranges, brightness = _grids(starts, order, distance, intensity, (rows, columns))
     jumps = jump_share(ranges, settings.jump)
     if jumps > settings.most_jumps:
@@ -180,10 +185,11 @@ def _cut(azimuth: np.ndarray, bins: int) -> float:
 @njit(nogil=True, cache=True)
 def _sorted(pixel: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the first point of each pixel, and the order of the points by pixel."""
-    starts = np.zeros(count + 1, np.int64)
+    starts = np.zeros(count + 1, np.uint32)
     for value in pixel:
         starts[value + 1] += 1
-    starts = np.cumsum(starts)
+    for number in range(count):
+        starts[number + 1] += starts[number]
     filled = starts[:-1].copy()
     order = np.empty(len(pixel), np.uint32)
     for number in range(len(pixel)):
@@ -196,11 +202,11 @@ def _sorted(pixel: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
 def _points_of(starts: np.ndarray, cells: np.ndarray) -> np.ndarray:
     count = 0
     for cell in cells:
-        count += starts[cell + 1] - starts[cell]
+        count += int(starts[cell + 1]) - int(starts[cell])
     points = np.empty(count, np.int64)
     count = 0
     for cell in cells:
-        for point in range(starts[cell], starts[cell + 1]):
+        for point in range(int(starts[cell]), int(starts[cell + 1])):
             points[count] = point
             count += 1
     return points

@@ -98,7 +98,7 @@ def _misfits(
             wide = radius / (distance * across * level)
             if tall < least_pixels or wide > period / 8:
                 continue
-            stride = max(1, int(tall / 8))
+            stride = max(1, int(tall / 6))
             if stride > 1 and (row % stride or column % stride):
                 continue
             wrong, free, used, squares = 0, 0, 0, 0.0

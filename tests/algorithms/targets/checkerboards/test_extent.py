@@ -47,10 +47,18 @@ def test_unequal_quadrants_are_uneven():
 def test_quadrants_are_counted_with_the_share_of_their_colour():
     places, intensities = board(0.5, 8000.0)
     wrong = (places[:, 0] < 0) & (places[:, 1] < 0)
-    counts, agreement = quadrants(PATTERN, places, np.where(wrong, 1000.0, intensities))
+    four = quadrants(PATTERN, places, np.where(wrong, 1000.0, intensities))
 
-    assert counts.sum() == len(places)
-    assert sorted(agreement.round(2)) == pytest.approx([0.0, 1.0, 1.0, 1.0], abs=0.1)
+    assert four.counts.sum() == len(places)
+    assert sorted(four.agreement.round(2)) == pytest.approx([0.0, 1.0, 1.0, 1.0], abs=0.1)
+
+
+def test_quadrants_of_one_colour_have_one_tone():
+    places, intensities = board(0.5, 8000.0)
+    grey = (places[:, 0] < 0) & (places[:, 1] < 0)
+
+    assert quadrants(PATTERN, places, intensities).unevenness < 0.01
+    assert quadrants(PATTERN, places, np.where(grey, 15000.0, intensities)).unevenness > 0.5
 
 
 def test_tiles_continue_the_pattern_and_a_wall_does_not():
