@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from scipy.spatial import cKDTree
 
+from ...kernels import kernel
 from ..range_image.range_image import RangeImage
 from .settings import CandidateSettings
 
@@ -60,7 +60,7 @@ def checkerboard_candidates(image: RangeImage, settings: CandidateSettings) -> l
     return found
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _responses(
     ranges: np.ndarray,
     brightness: np.ndarray,

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
-from numba import njit
 
 from ...errors import InputError
+from ...kernels import kernel
 from .angular_step import angular_step
 from .settings import RangeImageSettings
 from .station import Station
@@ -182,7 +182,7 @@ def _cut(azimuth: np.ndarray, bins: int) -> float:
     return float((taken[widest] + gaps[widest]) % bins * (2.0 * np.pi / bins) - np.pi)
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _sorted(pixel: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the first point of each pixel, and the order of the points by pixel."""
     starts = np.zeros(count + 1, np.uint32)
@@ -198,7 +198,7 @@ def _sorted(pixel: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     return starts, order
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _points_of(starts: np.ndarray, cells: np.ndarray) -> np.ndarray:
     count = 0
     for cell in cells:

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from ...kernels import kernel
 from ..range_image.range_image import RangeImage
 from .settings import CandidateSettings
 
@@ -68,7 +68,7 @@ def sphere_candidates(
     return found
 
 
-@njit(nogil=True, cache=True)
+@kernel
 def _misfits(
     ranges: np.ndarray,
     geometry: np.ndarray,
