@@ -15,7 +15,8 @@ def bare(tmp_path):
 def project(plugin):
     from qgis.core import QgsProject
 
-    project = QgsProject()
+    project = QgsProject.instance()
+    project.clear()
     yield project
     project.clear()
 
