@@ -7,7 +7,7 @@ import numpy as np
 from ichnograph.algorithms.site_plan.results import SitePlan
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import make_site_plan
-from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of, level, upright
+from ichnograph.tests.algorithms.site_plan.surfaces import ORIGIN, SHIFT, cloud_of, level, upright
 from rasterio.crs import CRS
 from shapely.affinity import translate
 from shapely.geometry import MultiPolygon, Polygon, box

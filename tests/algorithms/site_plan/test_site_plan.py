@@ -29,8 +29,8 @@ from ichnograph.tests.algorithms.site_plan.house import (
 )
 from ichnograph.tests.algorithms.site_plan.masonry import offset
 from ichnograph.tests.algorithms.site_plan.rasters import wall_tower_and_beam
-from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of, level
-from ichnograph.tests.algorithms.site_plan.site import box as sides_of
+from ichnograph.tests.algorithms.site_plan.surfaces import ORIGIN, SHIFT, cloud_of, level
+from ichnograph.tests.algorithms.site_plan.surfaces import box as sides_of
 from shapely.affinity import translate
 from shapely.geometry import box
 from shapely.ops import unary_union

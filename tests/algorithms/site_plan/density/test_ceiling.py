@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.site_plan.density.density_image import density_image
-from ichnograph.tests.algorithms.site_plan.site import (
+from ichnograph.tests.algorithms.site_plan.surfaces import (
     band_at,
     box,
     cloud_of,

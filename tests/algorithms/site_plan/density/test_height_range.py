@@ -11,7 +11,7 @@ from ichnograph.algorithms.site_plan.density.density_raster import DensityRaster
 from ichnograph.algorithms.site_plan.density.height_range import HeightRange
 from ichnograph.algorithms.site_plan.site_plan import extract_walls
 from ichnograph.algorithms.site_plan.walls.extraction import WallParameters
-from ichnograph.tests.algorithms.site_plan.site import band_at, cloud_of, gate_of, level, upright
+from ichnograph.tests.algorithms.site_plan.surfaces import band_at, cloud_of, gate_of, level, upright
 
 INDOOR = Path(__file__).parents[5] / "shared" / "data" / "indoor_two_storey_loadersgl" / "indoor.laz"
 

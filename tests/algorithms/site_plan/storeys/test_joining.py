@@ -25,8 +25,8 @@ from ichnograph.algorithms.site_plan.storeys.storey_plan import StoreyPlan
 from ichnograph.algorithms.site_plan.storeys.walls.left_out import LeftOut
 from ichnograph.algorithms.site_plan.storeys.walls.walls import Wall as StoreyWall
 from ichnograph.algorithms.site_plan.walls.wall import Wall
-from ichnograph.tests.algorithms.site_plan.site import ORIGIN, SHIFT, cloud_of
 from ichnograph.tests.algorithms.site_plan.storeys.scans import flat, room, scanned, upright
+from ichnograph.tests.algorithms.site_plan.surfaces import ORIGIN, SHIFT, cloud_of
 from shapely.affinity import translate
 from shapely.geometry import LineString, Polygon, box
 from shapely.ops import unary_union

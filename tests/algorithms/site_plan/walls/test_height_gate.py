@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.density.density_image import density_image
-from ichnograph.tests.algorithms.site_plan.site import (
+from ichnograph.tests.algorithms.site_plan.surfaces import (
     band_at,
     cloud_of,
     foliage,
