@@ -41,7 +41,7 @@ def test_density_alone_gives_the_plain_chain_and_says_so():
 
 def test_no_wall_is_an_error_that_says_which_criterion_removed_what():
     raster, *_ = wall_tower_and_beam()
-    with pytest.raises(NothingFoundError, match=r"MIN_AREA 999 m2 removed \d+.*MAX_FILL.*removed 0"):
+    with pytest.raises(NothingFoundError, match=r"MIN_AREA 999 m² removed \d+.*MAX_FILL.*removed 0"):
         extracted(raster, min_area=999.0)
     with pytest.raises(NothingFoundError, match=r"MIN_HEIGHT 1.9 m left 0 of 60000 pixels"):
         extracted(raster, min_height=1.9)
