@@ -45,7 +45,7 @@ def plan_storey(
     """
     edge = points.store.edge * LATTICE
     origin = np.floor(np.min(points.keys, axis=0) * edge)
-    chunks = _chunks(points, origin, progress.part(0.0, 0.4))
+    chunks = _chunks(points, origin, progress.part(0.0, 0.3))
     plan = make_storey_plan(chunks, settings, progress, under_ceiling=True)
     return under_roof(plan.moved(*origin), settings.joining) if plan.storey else None
 

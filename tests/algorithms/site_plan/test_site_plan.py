@@ -201,8 +201,8 @@ def test_under_a_ceiling_the_room_is_what_was_seen_between_faces():
 def test_the_axes_lie_within_the_walls():
     plan = plan_under_ceiling()
     walls = unary_union([wall.outline for wall in plan.walls]).buffer(0.001)
-    # The walls were seen from inside: strips of 3 cm, whose axes lie 1.5 cm behind the faces.
-    assert plan.axes_length == pytest.approx(14 + 8 * 0.015, abs=0.02)
+    # The walls were seen from inside: strips of 2.5 cm, whose axes lie half of that behind the faces.
+    assert plan.axes_length == pytest.approx(14 + 8 * 0.0125, abs=0.002)
     assert all(walls.contains(axis.line) for axis in plan.axes)
     assert {axis.wall_id for axis in plan.axes} == {1}
 

@@ -191,7 +191,7 @@ def test_what_has_points_enough_but_no_face_is_foliage_and_no_wall():
 
 
 def test_foliage_alone_is_refused_in_one_sentence():
-    with pytest.raises(NothingFoundError, match="REFINE=no"):
+    with pytest.raises(NothingFoundError, match="switch REFINE off"):
         refined(bush())
 
 
