@@ -107,9 +107,8 @@ def _by_inner_face(before: _Evidence, behind: _Evidence, settings: SideSettings)
     """Return the side opposite the inner face; None if no parallel face covers enough of the wall."""
     sides = ((1, before, behind), (-1, behind, before))
     for sign, own, other in sides:
-        if other.covered >= settings.covered and other.covered >= settings.clearer * own.covered:
-            face = other.face
-            assert face is not None
+        face = other.face
+        if face and other.covered >= settings.covered and other.covered >= settings.clearer * own.covered:
             reason = (
                 f"a parallel face {face.offset:.2f} m off covers {100 * face.share:.0f} % of the wall on the "
                 f"other side ({100 * own.covered:.0f} % here), so that is its inner face"
