@@ -1,8 +1,9 @@
 """Lists of points as vector layers: points with Z, or with a field of heights."""
 
 import codecs
+import sqlite3
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any, Optional
 
@@ -151,6 +152,7 @@ def _point_layers(path: Path) -> list[str]:
 @contextmanager
 def _gdal_errors_named(path: Path) -> Iterator[None]:
     try:
+        _check_tables(path)
         yield
     except (InputError, OSError) as error:
         if isinstance(error, InputError) or error.errno:
@@ -159,6 +161,17 @@ def _gdal_errors_named(path: Path) -> Iterator[None]:
     # Damaged files raise errors of the driver, of texts and of geometries, which have no common base.
     except Exception as error:
         raise _unreadable(path, error) from error
+
+
+def _check_tables(path: Path) -> None:
+    """Raise an error if the tables of a GeoPackage are damaged; on some, GDAL 3.10 ends the process."""
+    if path.suffix.lower() != ".gpkg":
+        return
+    with closing(sqlite3.connect(f"{path.resolve().as_uri()}?immutable=1", uri=True)) as database:
+        try:
+            database.execute("SELECT count(*) FROM sqlite_master").fetchone()
+        except UnicodeDecodeError as error:
+            raise ValueError("its tables are damaged") from error
 
 
 def _unreadable(path: Path, error: Exception) -> InputError:

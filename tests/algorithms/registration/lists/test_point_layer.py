@@ -196,3 +196,10 @@ def test_damage_of_any_kind_is_refused_or_read_but_never_another_error(tmp_path,
             read_point_list(path)
         except InputError as error:
             assert "\n" not in str(error)
+
+
+def test_a_geopackage_whose_tables_are_damaged_is_refused_before_it_ends_the_process(tmp_path):
+    path = write_layer(tmp_path / "a.gpkg", XYZ)
+    data = path.read_bytes()
+    path.write_bytes(data.replace(b"srs_id INTEGER", b"srs_\xa1d INTEGER"))
+    refuse(path, "cannot be read as a layer .*; save it again")
