@@ -8,6 +8,7 @@ import numpy as np
 from shapely.affinity import translate
 from shapely.geometry import MultiPolygon, Polygon
 
+from ..errors import NothingFoundError
 from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
@@ -173,6 +174,11 @@ def _elevation(
     deepest = max((item.depth for item in large if item.kind == PROJECTION), default=0.0)
     whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
     face, unseen = whole.face, whole.unseen
+    if face.is_empty:
+        raise NothingFoundError(
+            f"No part of the wall is as large as {settings.smallest_m2:g} m²; decrease MIN_AREA, or increase "
+            "ALPHA."
+        )
     left, bottom = np.round(np.array(face.bounds[:2]), MILLIMETRES)
     moved = Frame(frame.world([[left, bottom, 0.0]])[0], frame.azimuth, frame.tilt)
     details = [

@@ -36,8 +36,8 @@ class Selection:
 
     @property
     def plane(self) -> Optional[Plane]:
-        """The plane that becomes the main one; None if there is only one facade."""
-        if self.chosen is None or len(self.facades) == 1:
+        """The plane that becomes the main one; None if no facade was found."""
+        if self.chosen is None:
             return None
         return Plane(self.chosen.normal, self.chosen.anchor, float("nan"), self.chosen.points)
 

@@ -78,7 +78,7 @@ def _filled(
     chosen = above[near] if kind == RECESS else above
     depth = float(np.median(chosen)) if len(chosen) else float("nan")
     sides = open_sides(region, states, wall)
-    layer = int(np.median(states.nearest[region.box][region.image]))
+    layer = int(np.bincount(states.nearest[region.box][region.image]).argmax())
     height = region.image.shape[0] * states.grid.size
     use = WINDOW
     if sides[BELOW] and height >= settings.lowest_door_m:

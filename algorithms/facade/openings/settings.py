@@ -35,9 +35,6 @@ class LayerSettings:
     enclosed: float = judged(
         0.5, "If this part of it has the main wall on three sides, it was seen through an opening."
     )
-    open_m: float = judged(
-        3.0, "The main wall encloses what is at most this far from it; a storey set back is wider."
-    )
 
 
 @dataclass(frozen=True)

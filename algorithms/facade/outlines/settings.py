@@ -21,9 +21,6 @@ class BorderSettings:
     noise_sigmas: float = statistical(
         4.0, "Points further off a surface, in its standard deviations, belong to a jamb or are mixed."
     )
-    inset_spacings: float = judged(
-        3.0, "Distance from the border of a hole of the positions that stand in for points far behind."
-    )
     reach_pixels: float = judged(
         3.5, "Where the wall is farther from a hole than this, its edge was not seen, but something hides it."
     )

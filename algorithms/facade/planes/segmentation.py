@@ -12,11 +12,16 @@ from ..elevation import Plane, Points, Segmentation
 from .patches import Patch, extract, make_patch
 from .ransac import refit
 from .settings import FitSettings, PlaneSettings
-from .side import AUTOMATIC, EAST, Side, find_side
+from .side import AUTOMATIC, EAST, Side, find_side, given_side
 from .voxels import Voxels, make_voxels
 
 NONE, OTHER = 0, -1
 """Labels of points outside the planes of the facade, and on a plane in front of it, such as the street."""
+
+OPEN_AIR = (
+    "ceilings, or the area seen on each side, show where the open air is; the points close to the wall "
+    "do not show its front"
+)
 
 
 def find_planes(
@@ -42,17 +47,43 @@ def find_planes(
     side : int
         SIDE: `AUTOMATIC`, `EAST` or `WEST`.
     wanted : Plane, optional
-        About the main plane, if it is not to be the largest one.
+        About the main plane, if it is not to be the largest one; its normal points outward.
 
     Raises
     ------
     NothingFoundError
-        If there is no upright plane.
+        If there is no upright plane, or none like the wanted one.
     """
     axes = _axes_of_facade(points.xyz, distance, settings, wanted)
     progress.update(0.3)
-    if side != AUTOMATIC and (axes[1, 0] > 0) != (side == EAST):
+    if side == AUTOMATIC:
+        return _along_axes(points, axes, side, distance, settings, progress, wanted)
+    if _faces_east(axes[1]) != (side == EAST):
         axes[:2] = -axes[:2]
+    found = _along_axes(points, axes, side, distance, settings, progress, wanted)
+    if _faces_east(found.planes[0].normal) != (side == EAST):
+        # The first, coarse plane was on the other side of north.
+        axes[:2] = -axes[:2]
+        silent = Progress(is_cancelled=progress.is_cancelled)
+        found = _along_axes(points, axes, side, distance, settings, silent, wanted)
+    return found
+
+
+def _faces_east(normal: np.ndarray) -> bool:
+    """Whether an azimuth is less than 180 degrees."""
+    return bool(np.degrees(np.arctan2(normal[0], normal[1])) % 360 < 180)
+
+
+def _along_axes(
+    points: Points,
+    axes: np.ndarray,
+    side: int,
+    distance: float,
+    settings: PlaneSettings,
+    progress: Progress,
+    wanted: Optional[Plane],
+) -> Segmentation:
+    """Return the planes and the labels of the points, found along the axes of the facade."""
     scanners = None if points.stations is None else (points.stations @ axes.T)[points.scan]
     if wanted is not None:
         wanted = replace(wanted, normal=axes @ wanted.normal, centre=axes @ wanted.centre)
@@ -96,8 +127,14 @@ def _largest_upright(
     upright = [patch for patch in patches if abs(patch.normal[2]) < steepest]
     if not upright:
         raise NothingFoundError(_nothing(xyz, distance, settings))
-    alike = [patch for patch in upright if wanted is not None and _is_alike(patch, wanted, settings)]
-    return max(alike or upright, key=lambda patch: patch.area)
+    if wanted is not None:
+        upright = [patch for patch in upright if _is_alike(patch, wanted, settings)]
+    if not upright:
+        raise NothingFoundError(
+            f"The chosen facade has no plane with DISTANCE {distance:g} m; increase DISTANCE, or choose "
+            "another FACADE."
+        )
+    return max(upright, key=lambda patch: patch.area)
 
 
 def _is_alike(patch: Patch, wanted: Plane, settings: PlaneSettings) -> bool:
@@ -121,7 +158,9 @@ def _in_frame(
     every = extract(voxels, distance, settings)
     main = _largest_upright(every, xyz, distance, settings, wanted)
     main = main if main.normal[1] > 0 else main.flipped()
-    side = _side(main, xyz, scanners, distance, settings) if automatic else Side(1, 1.0, "SIDE says so")
+    side = _side(main, xyz, scanners, automatic, distance, settings)
+    if automatic and wanted is not None and side.sure < settings.side.doubtful:
+        side = replace(side, sign=1 if main.normal @ wanted.normal > 0 else -1, reason=OPEN_AIR)
     main = main if side.sign > 0 else main.flipped()
     progress.update(0.6, f"The main plane covers {main.area:.1f} m².")
     competitors = [patch for patch in every if not _is_facade(patch, main, settings)]
@@ -152,6 +191,7 @@ def _side(
     main: Patch,
     xyz: np.ndarray,
     scanners: Optional[np.ndarray],
+    automatic: bool,
     distance: float,
     settings: PlaneSettings,
 ) -> Side:
@@ -159,6 +199,8 @@ def _side(
     uvw = np.column_stack([(xyz - main.anchor) @ main.axes.T, main.heights(xyz)])
     wall = np.abs(uvw[:, 2]) <= distance
     wall[wall] = main.covers(xyz[wall])
+    if not automatic:
+        return given_side(uvw, wall, settings.side)
     heights = np.full(len(xyz), np.nan) if scanners is None else main.heights(scanners)
     return find_side(uvw, wall, heights, settings.side)
 

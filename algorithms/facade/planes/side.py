@@ -98,6 +98,20 @@ def find_side(
     return _by_inner_face(before, behind, settings) or _by_holes(before, behind, settings)
 
 
+def given_side(uvw: np.ndarray, wall: np.ndarray, settings: SideSettings = SideSettings()) -> Side:
+    """Return the side of the normal, which the user has chosen, with the inner face of the wall.
+
+    Parameters
+    ----------
+    uvw : ndarray of float64, shape (n, 3)
+        Of all points around the wall; w along the normal of its plane.
+    wall : ndarray of bool, shape (n,)
+        Which points are on the wall.
+    settings : SideSettings
+    """
+    return Side(1, 1.0, "SIDE says so", _inner(uvw, wall, 1.0, settings))
+
+
 def _inner(uvw: np.ndarray, wall: np.ndarray, share: float, settings: SideSettings) -> Optional[Face]:
     behind = _evidence(uvw, wall, -1 if share >= 0.5 else 1, settings)
     return behind.face if behind.covered >= settings.covered else None

@@ -126,7 +126,8 @@ def image_of(station: Station, name: str, settings: RangeImageSettings = RangeIm
     if rows * columns > settings.most_pixels_per_point * max(len(xyz), 10_000):
         raise _not_one_station(name, station.position, f"its {len(xyz)} points fill too few directions")
     kind = np.int32 if rows * columns < 2**31 else np.int64
-    pixel = ((elevation - floor) / step).astype(kind)
+    # numpy 1 keeps single precision here, unlike for `rows`.
+    pixel = np.minimum((elevation - floor) / step, rows - 1).astype(kind)
     pixel *= columns
     pixel += np.minimum((azimuth * (period / (2.0 * np.pi))).astype(np.int32), columns - 1)
     # Tens of millions of points: what is no longer needed makes room.
