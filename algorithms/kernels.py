@@ -5,6 +5,8 @@ from typing import Any, Callable
 
 from numba import njit
 
+from .errors import CancelledError
+
 
 class ForgivingCache:
     """The cache of a compiled function, whose damage or full disk costs the time to compile, not the run.
@@ -25,6 +27,8 @@ class ForgivingCache:
         # What a damaged pickle raises is not limited.
         try:
             return self._cache.load_overload(*arguments)
+        except CancelledError:
+            raise
         except Exception:
             with suppress(Exception):
                 self._cache.flush()

@@ -90,7 +90,7 @@ class Stage:
     """
 
     def __init__(self, folder: Path, name: str, leader: Optional["Stage"] = None) -> None:
-        self.path = Path(tempfile.mkdtemp(prefix=f".{name[:80]}.", suffix=SUFFIX, dir=folder))
+        self.path = Path(tempfile.mkdtemp(prefix=f".{name[:16]}.", suffix=SUFFIX, dir=folder))
         self._lock = _locked(self.path / LOCK)
         for part in ("new", "old"):
             (self.path / part).mkdir()
@@ -143,11 +143,13 @@ def replace_all(leader: Path, moves: Iterable[Move]) -> None:
     try:
         for move in moves:
             move.apply()
+        # From here on the new outputs are valid; the old ones go with the stages.
+        journal.unlink()
     except BaseException:
-        _roll_back(leader, moves)
+        # If the journal is gone, all outputs are new.
+        if journal.exists():
+            _roll_back(leader, moves)
         raise
-    # From here on the new outputs are valid; the old ones go with the stages.
-    journal.unlink()
 
 
 def recover(folder: Path) -> None:
@@ -179,7 +181,7 @@ def _recover(stage: Path) -> None:
 def _roll_back(leader: Path, moves: list[Move]) -> None:
     for move in reversed(moves):
         move.undo()
-    (leader / JOURNAL).unlink()
+    (leader / JOURNAL).unlink(missing_ok=True)
 
 
 def _leader_of(stage: Path) -> Path:

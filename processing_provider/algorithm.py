@@ -255,6 +255,8 @@ def _write(
             with outputs.staged(path) as temporary:
                 try:
                     write(temporary)
+                except MissingPackageError:
+                    raise
                 except IchnographError as error:
                     # Name the file that the user chose, not the temporary one.
                     raise type(error)(str(error).replace(str(temporary), str(path))) from error

@@ -9,7 +9,7 @@ instructions of Python, so that files are closed and outputs are rolled back as 
 import ctypes
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, Callable
 
 from ..algorithms.errors import CancelledError
@@ -60,9 +60,12 @@ def interruptible(is_cancelled: Callable[[], bool]) -> Iterator[None]:
     try:
         yield
     finally:
-        with turn:
-            ended.set()
-        watcher.join()
+        while watcher.is_alive():
+            # What is raised while the block ends must not leave the watcher behind.
+            with suppress(_InterruptedError):
+                with turn:
+                    ended.set()
+                watcher.join()
 
 
 @contextmanager

@@ -110,6 +110,14 @@ def is_comment(line: str) -> bool:
     return not text or line.lstrip().startswith(COMMENTS) or bool(SEPARATOR_LINE.fullmatch(line.strip()))
 
 
+def is_remark(line: str, delimiter: str, width: int) -> bool:
+    """Whether a line is a remark, and not a row whose first field, a name, is empty or begins as they do."""
+    if not is_comment(line):
+        return False
+    fields = split(line, delimiter)
+    return len(fields) != width or sum(map(is_number, fields)) < 3
+
+
 def is_count(line: str) -> bool:
     """Whether a line is a single integer, as it precedes the points of a PTS scan."""
     text = line.strip()
@@ -203,8 +211,8 @@ def _grouping(path: Path, fields: list[str]) -> tuple[str, str]:
 def ends_cut_off(lines: list[str], delimiter: str) -> bool:
     """Whether the last number of a file is cut off.
 
-    It is if no line end follows, and the number has fewer decimals than the others of its column, which have
-    one number of decimals.
+    It is if no line end follows, and the number has fewer decimals than the others of its column, which all
+    have one number of decimals. A last field that is no plain number, such as 1e-05 or a remark, is whole.
 
     Parameters
     ----------
@@ -217,7 +225,7 @@ def ends_cut_off(lines: list[str], delimiter: str) -> bool:
     *others, last = [split(line, delimiter) for line in lines]
     decimals = {_decimals(fields[-1]) for fields in others if len(fields) == len(last)}
     (usual,) = decimals if len(decimals) == 1 else (0,)
-    return _decimals(last[-1]) < usual
+    return 0 <= _decimals(last[-1]) < usual
 
 
 def _decimals(field: str) -> int:

@@ -34,7 +34,10 @@ _BRACKETS = re.compile(r"[\[({<]\s*(?:in\s+)?([^\])}>]*?)\s*[\])}>]")
 _SUFFIX = re.compile(
     r"(?<=[^\W_])(?:[\s_/]|\s+in\s+)(mm|cm|dm|km|m|ft|us-?ft|feet|foot|inch|inches|metres?|meters?)\s*$"
 )
-_REMARK = re.compile(r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b(.*)")
+_REMARK = re.compile(
+    r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b\s*(?:[:=]|(?:in|are|is|sind|ist|sont|est|son|es)\b)"
+    r"\s*(?:in\s+)?(?:(?:us|survey|international|intl)[\s-]+)*([^\s,;]+)"
+)
 
 
 def unit_of(name: str) -> Optional[str]:
@@ -53,8 +56,9 @@ def unit_of(name: str) -> Optional[str]:
 def unit_of_remark(line: str) -> Optional[str]:
     """Return the unit that a line such as '# units: mm' states; None without one."""
     match = _REMARK.search(line.lower())
-    words = [_plain(word) for word in match.group(1).split()[:4]] if match else []
-    return next((word for word in words if word in METRES or word in FEET), None)
+    unit = _plain(match.group(1)) if match else ""
+    # 'Unit in ...' is seldom about inches.
+    return unit if unit != "in" and (unit in METRES or unit in FEET) else None
 
 
 def is_unit(field: str) -> bool:

@@ -193,7 +193,7 @@ def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> n
         # lazrs seeks to the wrong point in a COPC, which starts with points from all over the site.
         return read_records(path, reader, min(settings.runs * size, count))
     runs = []
-    for start in np.unique(np.linspace(0, max(count - size, 0), settings.runs).astype(int)):
+    for start in np.unique(np.linspace(0, max(count - size, 0), settings.runs).astype(np.int64)):
         seek(path, reader, int(start))
         runs.append(read_records(path, reader, min(size, count)))
     return np.concatenate(runs)

@@ -89,6 +89,8 @@ def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
         # Some programs fill in the older field only.
         evlr_start, evlrs, newer = struct.unpack_from("<QIQ", head, 235)
         count = newer or count
+        # Without such records, the field may still hold the position in another file.
+        evlr_start = evlr_start if evlrs else 0
     if not header_size + 54 * vlrs <= start <= size or evlr_start + 60 * evlrs > size:
         raise damaged(path, "its header announces more records than it has room for")
     _check_records_after_points(path, stream, evlr_start, evlrs, size)

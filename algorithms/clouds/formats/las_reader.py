@@ -8,7 +8,7 @@ from typing import BinaryIO
 import laspy
 import numpy as np
 
-from ...errors import InputError
+from ...errors import CancelledError, InputError
 from ..source import unreadable
 from .las_layout import LasLayout, damaged, read_layout
 from .laz_chunks import read_record, with_table
@@ -63,7 +63,7 @@ def _open(
 def _as_input_error(path: Path) -> Iterator[None]:
     try:
         yield
-    except (KeyboardInterrupt, SystemExit, InputError):
+    except (KeyboardInterrupt, SystemExit, MemoryError, CancelledError, InputError):
         raise
     except OSError as error:
         raise unreadable(path, error) from error

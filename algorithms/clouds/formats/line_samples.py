@@ -33,8 +33,11 @@ def sample_lines(
             stream.seek(start)
             yield _lines(stream.read().decode(encoding, errors="replace") + "\n")
             return
+        # Within the file, no byte-order mark says which byte comes first.
+        if encoding in ("utf-16", "utf-32"):
+            encoding += "-le" if stream.read(2) == b"\xff\xfe" else "-be"
         # Letters have one, two or four bytes.
-        for position in np.linspace(start, size - run, settings.runs).astype(int) // 4 * 4:
+        for position in np.linspace(start, size - run, settings.runs).astype(np.int64) // 4 * 4:
             stream.seek(int(position))
             # The first and the last line of a run are parts of lines.
             yield _lines(stream.read(run).decode(encoding, errors="replace"))[1:-1]

@@ -174,7 +174,7 @@ def _sample(path: Path, layout: Layout, settings: ReadingSettings) -> np.ndarray
     if layout.encoding == "ascii" or layout.count <= settings.whole_points:
         blocks = [points for points, _ in _blocks(path, layout, settings.sample_points)]
     else:
-        starts = np.linspace(0, layout.count - settings.run_points, settings.runs).astype(int).tolist()
+        starts = np.linspace(0, layout.count - settings.run_points, settings.runs).astype(np.int64).tolist()
         runs = [replace(layout, start=layout.start + row * layout.dtype.itemsize) for row in starts]
         blocks = [
             points

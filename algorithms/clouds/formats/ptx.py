@@ -157,7 +157,7 @@ def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int,
     first = last = number
     for line in stream:
         last += 1
-        if line.isspace():
+        if not line.strip(" \t\r\n\x1a"):
             continue
         first = first if lines else last - 1
         lines.append(line)

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from ...errors import InputError
-from ...tables.dialect import LOST, ends_cut_off, is_comment, is_count, is_number
+from ...tables.dialect import LOST, ends_cut_off, is_comment, is_count, is_number, is_remark
 from ..source import truncated
 from .text_layout import Layout
 
@@ -30,7 +30,7 @@ class RowParser:
 
     def is_point(self, line: str) -> bool:
         """Whether a line after the header is a point: no remark, no count, and not without coordinates."""
-        if is_comment(line) or (self.layout.announced is not None and is_count(line)):
+        if self._is_remark(line) or (self.layout.announced is not None and is_count(line)):
             return False
         return not self.is_row_without_coordinates(line)
 
@@ -131,7 +131,7 @@ class RowParser:
                     f"Line {position} of {self.path} holds a character 0, so the file is damaged; copy or "
                     "export it again."
                 )
-            if is_comment(line):
+            if self._is_remark(line):
                 continue
             if self.layout.announced is not None and is_count(line):
                 announced += int(line)
@@ -145,6 +145,12 @@ class RowParser:
             if not self._is_lost(fields):
                 regular.append(line)
         return regular, announced
+
+    def _is_remark(self, line: str) -> bool:
+        """Whether a line is a remark; a row can begin like one only where its first field is not a number."""
+        if 0 in self.layout.columns.used:
+            return is_comment(line)
+        return is_remark(line, self.layout.dialect.delimiter, self.layout.dialect.width)
 
     def _is_lost(self, fields: list[str]) -> bool:
         """Whether a program wrote that one of the coordinates is not a number."""

@@ -262,7 +262,15 @@ def _moved_lines(
 def _replace(
     rows: list[list[str]], columns: tuple[int, ...], values: np.ndarray, decimals: int, dialect: Dialect
 ) -> None:
-    """Write `values`, shape (n, columns), into fields of `rows`; fields without a number are unchanged."""
+    """Write `values`, shape (n, columns), into fields of `rows`; fields without a number are unchanged.
+
+    Raises
+    ------
+    ValueError
+        If the rows are not as many as the values, so that values would be those of other points.
+    """
+    if len(rows) != len(values):
+        raise ValueError(f"{len(rows)} rows and {len(values)} points")
     for column, numbers in zip(columns, values.T.tolist()):
         for row, number in zip(rows, numbers):
             if math.isfinite(number):

@@ -10,7 +10,7 @@ from typing import Any, Optional
 import fiona
 import numpy as np
 
-from ...errors import InputError
+from ...errors import CancelledError, InputError
 from ...reference_systems import parse_layer_wkt
 from ...tables.column_names import POINTS, simplified
 from ...tables.header import metres_of
@@ -154,8 +154,10 @@ def _gdal_errors_named(path: Path) -> Iterator[None]:
     try:
         _check_tables(path)
         yield
-    except (InputError, OSError) as error:
-        if isinstance(error, InputError) or error.errno:
+    except (InputError, CancelledError):
+        raise
+    except OSError as error:
+        if error.errno:
             raise
         raise _unreadable(path, error) from error
     # Damaged files raise errors of the driver, of texts and of geometries, which have no common base.

@@ -9,7 +9,7 @@ import rasterio
 from affine import Affine
 from rasterio.crs import CRS
 
-from ...errors import InputError
+from ...errors import CancelledError, InputError
 from ...raster import write_raster
 from ...reference_systems import require_metres
 from ..walls.height_gate import Heights
@@ -77,7 +77,7 @@ def read_density(path: Path, settings: SiteSettings = SiteSettings()) -> Density
             complete = set(BANDS) <= set(bands)
             arrays = [_filled(raster, bands[name]) for name in BANDS] if complete else [_filled(raster, 1)]
             transform, crs = raster.transform, raster.crs
-    except InputError:
+    except (InputError, CancelledError):
         raise
     # Damaged files raise errors of GDAL, of texts and of reference systems, which have no common base.
     except Exception as error:

@@ -150,6 +150,8 @@ def test_numbers_that_a_program_does_not_know_count_as_numbers_but_have_no_value
         (["1 2 71.25\n", "1 2 71.2\n", "1 2 7"], False),
         (["1 2 71\n", "1 2 72\n", "1 2 7"], False),
         (["1 2 wall\n", "1 2 wall\n", "1 2 wa"], False),
+        (["1 2 71.25\n", "1 2 71.25\n", "1 2 1e-05"], False),
+        (["1 2 wall\n", "1 2 12\n", "1 2 wall"], False),
     ],
 )
 def test_a_last_number_with_fewer_decimals_than_all_others_and_without_line_end_is_cut_off(lines, cut):

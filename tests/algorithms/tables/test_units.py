@@ -46,7 +46,12 @@ def test_a_name_without_its_unit_is_the_name():
         ("# Unité : m", "m"),
         ("# Units: US survey feet", "feet"),
         ("# unit:mm", "mm"),
+        ("# the units are in mm", "mm"),
         ("# the unit of the army", None),
+        ("# Unit 3, room in the west wing", None),
+        ("# unit: Trimble S7 in hall", None),
+        ("# Coordinates and unit vectors, in metres", None),
+        ("# Scanner unit: FARO, room 12 cm thick", None),
     ],
 )
 def test_a_remark_may_state_the_unit(line, unit):

@@ -224,6 +224,10 @@ def test_normals_in_extra_dimensions_turn_along(tmp_path, xyz, names, kind, opti
             'x,y,z,nx,ny,nz\n"1.0","2.0","3.0","1","0","0"\n',
             f"x,y,z,nx,ny,nz\n{X},{Y},{Z},0.000000,1.000000,0.000000\n",
         ),
+        (
+            "A;1;2;3\n;1;2;3\nC;1;2;3\n#4;1;2;3\n# end\n",
+            f"A;{X};{Y};{Z}\n;{X};{Y};{Z}\nC;{X};{Y};{Z}\n#4;{X};{Y};{Z}\n# end\n",
+        ),
         ("x y z nx ny nz\n1 2 3 nan nan nan\n", f"x y z nx ny nz\n{X} {Y} {Z} nan nan nan\n"),
     ],
 )
