@@ -197,7 +197,8 @@ class Detail:
     rms : float
         Of the points of the raw outline against the final one (m).
     depth : float
-        Mean w of its surface; negative behind the wall, nan where none was seen.
+        Of openings and recesses, the median distance of what was seen in them from the wall around; of
+        others, w of their surface. Negative behind the wall, nan where nothing was seen.
     points : int
         Their number, on its surface.
     colour : tuple of 3 float, or None

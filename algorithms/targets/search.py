@@ -28,8 +28,10 @@ def find_targets(
     Raises
     ------
     InputError
-        If a file is damaged, is not seen from one station, or has no intensity for the targets wanted.
+        If a file is damaged, is not seen from one station, or has no intensity for the targets wanted, or if
+        two files have the same name.
     """
+    _check_names(cloud)
     found: list[StationTargets] = []
     warnings = list(cloud.warnings)
     for source, part in parts(cloud.sources, progress):
@@ -41,6 +43,17 @@ def find_targets(
             )
         found += stations
     return TargetSearch(tuple(found), cloud.crs, tuple(warnings))
+
+
+def _check_names(cloud: Cloud) -> None:
+    """Refuse files whose lists would have the same name, before hours of search."""
+    # Not every file system distinguishes capitals.
+    names = [source.path.stem.lower() for source in cloud.sources]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice:
+        raise InputError(
+            f"Two scans are called {twice}, so that their lists would be one file; rename a scan."
+        )
 
 
 def _of_file(source: Source, settings: TargetSettings, progress: Progress) -> list[StationTargets]:

@@ -180,7 +180,7 @@ def _facade(group: list[Patch], cloud: _Cloud, settings: BuildingSettings) -> Op
     covered, held = sides_of(
         cloud.even, level, float(group[0].anchor[:2] @ level), _limits(group[:1], level), settings.openness
     )
-    before = _points_before(group, cloud, settings)
+    before = _points_before(group[:1], cloud, settings)
     sign = _outward(covered, held, before, settings)
     if _is_inside(covered[::sign], held[::sign], settings):
         return None
@@ -194,6 +194,8 @@ def _facade(group: list[Patch], cloud: _Cloud, settings: BuildingSettings) -> Op
     ):
         return None
     main = patches[0]
+    outside = 0 if main.normal @ group[0].normal * sign > 0 else 1
+    after = None if before is None else _points_before(patches, cloud, settings)
     normal = main.normal * np.sign(main.normal @ group[0].normal) * sign
     along, foot = np.array([-level[1], level[0]]), (main.anchor[:2] @ level) * level
     return Facade(
@@ -206,7 +208,7 @@ def _facade(group: list[Patch], cloud: _Cloud, settings: BuildingSettings) -> Op
         top=top,
         area=area,
         points=int(np.count_nonzero(_on(patches, cloud.xyz, settings))),
-        seen=None if before is None else int(before[0 if sign > 0 else 1]),
+        seen=None if after is None else int(after[outside]),
         planes=len(patches),
     )
 
@@ -232,10 +234,10 @@ def _on(patches: Sequence[Patch], xyz: np.ndarray, settings: BuildingSettings) -
 
 
 def _points_before(group: list[Patch], cloud: _Cloud, settings: BuildingSettings) -> Optional[np.ndarray]:
-    """Return the number of points that scanners before and behind the wall measured; None if not known."""
+    """Return the number of points that scanners before and behind planes measured; None if not known."""
     if cloud.stations is None:
         return None
-    heights = group[0].heights(cloud.stations[cloud.scan[_on(group[:1], cloud.xyz, settings)]])
+    heights = group[0].heights(cloud.stations[cloud.scan[_on(group, cloud.xyz, settings)]])
     before = np.array([np.sum(heights > 0), np.sum(heights < 0)])
     return before if before.any() else None
 
