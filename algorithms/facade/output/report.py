@@ -1,5 +1,6 @@
 """The report of a facade: the key plan of all facades of the cloud, and what was measured on one of them."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Optional
 
@@ -34,6 +35,7 @@ def write_report(path: Path, selection: Selection, elevation: Elevation) -> None
         If the file cannot be written.
     """
     details = elevation.details
+    selection = _as_measured(selection, elevation)
     write_page(
         path,
         TEMPLATE,
@@ -50,6 +52,18 @@ def write_report(path: Path, selection: Selection, elevation: Elevation) -> None
         details=[_detail_row(detail) for detail in details],
         warnings=elevation.warnings,
     )
+
+
+def _as_measured(selection: Selection, elevation: Elevation) -> Selection:
+    """Return the facades with the chosen one as it was measured: its surroundings may show the other side."""
+    chosen = selection.chosen
+    if chosen is None or np.cos(np.radians(chosen.azimuth - elevation.frame.azimuth)) > 0:
+        return selection
+    turned = replace(
+        chosen, azimuth=(chosen.azimuth + 180) % 360, normal=-chosen.normal, ends=chosen.ends[::-1]
+    )
+    facades = tuple(turned if facade is chosen else facade for facade in selection.facades)
+    return replace(selection, facades=facades, chosen=turned)
 
 
 def _key_plan(selection: Selection) -> str:

@@ -48,3 +48,12 @@ def test_warnings_are_written(written, selection):
 def test_a_cloud_without_facades_has_no_key_plan(written):
     page = written(select_facade(bare(level(0, 0, 5, 5, 0))), small_elevation())
     assert "<svg" not in page and "Details" in page
+
+
+@pytest.mark.parametrize("side", [0.0, 180.0])
+def test_the_table_states_the_side_from_which_the_facade_was_measured(written, selection, side):
+    azimuth = (selection.chosen.azimuth + side) % 360
+    elevation = small_elevation()
+    page = written(selection, replace(elevation, frame=replace(elevation.frame, azimuth=azimuth)))
+    (marked,) = [row for row in page.split("<tr")[1:] if row.startswith(" class=")]
+    assert f">{azimuth:.0f}</td>" in marked
