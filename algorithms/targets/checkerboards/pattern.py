@@ -5,13 +5,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import erf
 
+from ...geometry.robust import sigma_of_residuals, tukey_weights
 from .settings import PatternSettings
 
 UNKNOWNS = 7
 """Two coordinates of the centre, two angles, the blur, two intensities."""
-
-SCALE = 1.4826
-"""Standard deviation of a normal distribution over its median absolute deviation."""
 
 
 @dataclass(frozen=True)
@@ -72,10 +70,6 @@ class Pattern:
         if np.ptp(wanted) == 0 or np.ptp(intensities) == 0:
             return 0.0
         return float(np.corrcoef(wanted, intensities)[0, 1])
-
-    def is_white(self, places: np.ndarray) -> np.ndarray:
-        """Return whether places on the plane are on white."""
-        return np.asarray(self.half * np.prod(self.distances(places), axis=1) > 0)
 
 
 def first_pattern(places: np.ndarray, intensities: np.ndarray, blur: float) -> Pattern:
@@ -168,8 +162,7 @@ def _weights(residuals: np.ndarray, pattern: Pattern, places: np.ndarray, outlie
     white = steps > 0
     least = abs(pattern.half) * 1e-3 + 1e-9
     scatter = [
-        max(SCALE * float(np.median(np.abs(residuals[side]))), least) if np.any(side) else least
-        for side in (~white, white)
+        max(sigma_of_residuals(residuals[side]), least) if np.any(side) else least for side in (~white, white)
     ]
     share = (1.0 + steps) / 2.0
     variance = scatter[0] ** 2 * (1 - share) + scatter[1] ** 2 * share
@@ -177,10 +170,9 @@ def _weights(residuals: np.ndarray, pattern: Pattern, places: np.ndarray, outlie
     slope = 1.0 - steps**2
     edge = slope > 0.3
     if np.any(edge):
-        rough = SCALE * float(np.median(np.abs(residuals[edge]) / np.sqrt(slope[edge])))
+        rough = sigma_of_residuals(residuals[edge] / np.sqrt(slope[edge]))
         variance = variance + np.maximum(rough, 0.02 * abs(pattern.half)) ** 2 * slope
-    ratio = np.minimum(np.abs(residuals) / (outlier * np.sqrt(variance)), 1.0)
-    return np.asarray((1 - ratio**2) ** 2 / variance)
+    return tukey_weights(residuals / np.sqrt(variance), 1.0, outlier) / variance
 
 
 def _normal(

@@ -5,10 +5,8 @@ from typing import Optional
 
 import numpy as np
 
+from ...geometry.robust import MAD_TO_SIGMA, sigma_of_residuals
 from .settings import PlaneSettings
-
-SCALE = 1.4826
-"""Standard deviation of a normal distribution over its median absolute deviation."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +106,7 @@ def fit_plane(
 
 def _scatter(residuals: np.ndarray, least: float) -> float:
     """Return the robust standard deviation of residuals."""
-    return max(SCALE * float(np.median(np.abs(residuals))), least) if len(residuals) else least
+    return max(sigma_of_residuals(residuals), least) if len(residuals) else least
 
 
 def _solved(design: np.ndarray, observed: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -133,5 +131,5 @@ def _consensus(
     away = np.abs(ranges[sample] - 1.0 / np.maximum(planes @ rays[sample].T, 1e-9))
     medians = np.median(away, axis=1)
     best, median = planes[np.argmin(medians)], float(medians.min())
-    limit = settings.sigmas * max(SCALE * median, settings.least_sigma_m)
+    limit = settings.sigmas * max(MAD_TO_SIGMA * median, settings.least_sigma_m)
     return np.asarray(np.abs(ranges - 1.0 / np.maximum(rays @ best, 1e-9)) < limit)

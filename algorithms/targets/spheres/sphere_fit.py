@@ -5,10 +5,8 @@ from typing import Optional
 
 import numpy as np
 
+from ...geometry.robust import sigma_of_residuals, tukey_weights
 from .settings import FitSettings
-
-SCALE = 1.4826
-"""Standard deviation of a normal distribution over its median absolute deviation."""
 
 
 @dataclass(frozen=True)
@@ -84,9 +82,8 @@ def fit_sphere(
         near = seen & (np.abs(residuals) < (radius if number < 3 else settings.outlier * sigma))
         if np.count_nonzero(near) < 8:
             return None
-        sigma = max(SCALE * float(np.median(np.abs(residuals[near]))), settings.least_sigma_m)
-        ratio = np.minimum(np.abs(residuals) / (settings.outlier * sigma), 1.0)
-        weights = np.where(seen, (1 - ratio**2) ** 2, 0.0)
+        sigma = max(sigma_of_residuals(residuals[near]), settings.least_sigma_m)
+        weights = np.where(seen, tukey_weights(residuals, sigma, settings.outlier), 0.0)
         design = np.column_stack([normals, np.ones(len(rays))])[:, :unknowns] / -cosine[:, None]
         weighted = design * weights[:, None]
         inverse = np.linalg.pinv(weighted.T @ design)
