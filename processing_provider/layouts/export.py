@@ -1,6 +1,7 @@
 """Files of a layout: PDF and SVG, with all geometry as it is."""
 
 from pathlib import Path
+from typing import Any
 
 from qgis.core import QgsLayoutExporter, QgsPrintLayout, QgsRenderContext
 
@@ -18,10 +19,7 @@ def write_pdf(path: Path, layout: QgsPrintLayout) -> None:
     InputError
         If it cannot be written.
     """
-    settings = QgsLayoutExporter.PdfExportSettings()
-    settings.dpi = DPI
-    settings.simplifyGeometries = False
-    settings.textRenderFormat = QgsRenderContext.TextRenderFormat.AlwaysText
+    settings = _exact(QgsLayoutExporter.PdfExportSettings())
     _require(QgsLayoutExporter(layout).exportToPdf(str(path), settings), path)
 
 
@@ -33,11 +31,16 @@ def write_svg(path: Path, layout: QgsPrintLayout) -> None:
     InputError
         If it cannot be written.
     """
-    settings = QgsLayoutExporter.SvgExportSettings()
+    settings = _exact(QgsLayoutExporter.SvgExportSettings())
+    _require(QgsLayoutExporter(layout).exportToSvg(str(path), settings), path)
+
+
+def _exact(settings: Any) -> Any:
+    """Return the settings of a format so that geometry keeps its vertices, and texts stay texts."""
     settings.dpi = DPI
     settings.simplifyGeometries = False
     settings.textRenderFormat = QgsRenderContext.TextRenderFormat.AlwaysText
-    _require(QgsLayoutExporter(layout).exportToSvg(str(path), settings), path)
+    return settings
 
 
 def _require(result: QgsLayoutExporter.ExportResult, path: Path) -> None:

@@ -24,7 +24,22 @@ WIDGETS = f"{__name__.rpartition('.')[0]}.widgets"
 """The module of the widgets, which QGIS imports on the desktop only."""
 
 
-class FileListDefinition(QgsProcessingParameterMultipleLayers):
+class _FilesDefinition:
+    """What a parameter of files has in common: filters in its chooser, and values that history keeps."""
+
+    filters: str
+
+    def createFileFilter(self) -> str:
+        return f"{self.filters};;{ALL_FILES}"
+
+    def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
+        return bool(value)
+
+    def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
+        return _literal(value)
+
+
+class FileListDefinition(_FilesDefinition, QgsProcessingParameterMultipleLayers):
     """Files, and layers of the project if `kind` is not the one of files.
 
     Parameters
@@ -43,17 +58,8 @@ class FileListDefinition(QgsProcessingParameterMultipleLayers):
     def clone(self) -> QgsProcessingParameterDefinition:
         return _copy_of(self, FileListDefinition(self.name(), "", self.layerType(), self.filters))
 
-    def createFileFilter(self) -> str:
-        return f"{self.filters};;{ALL_FILES}"
 
-    def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
-        return bool(value)
-
-    def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
-        return _literal(value)
-
-
-class PointListDefinition(QgsProcessingParameterVectorLayer):
+class PointListDefinition(_FilesDefinition, QgsProcessingParameterVectorLayer):
     """A layer of points, or a text file."""
 
     def __init__(self, name: str, description: str, filters: str) -> None:
@@ -63,15 +69,6 @@ class PointListDefinition(QgsProcessingParameterVectorLayer):
 
     def clone(self) -> QgsProcessingParameterDefinition:
         return _copy_of(self, PointListDefinition(self.name(), "", self.filters))
-
-    def createFileFilter(self) -> str:
-        return f"{self.filters};;{ALL_FILES}"
-
-    def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
-        return bool(value)
-
-    def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
-        return _literal(value)
 
 
 def _copy_of(
