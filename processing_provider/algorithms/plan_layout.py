@@ -90,9 +90,9 @@ class PlanLayoutAlgorithm(Algorithm):
         """Make the layout; the files are exported when they are written."""
         layers = [values[name] for name in ("AXES", "WALLS", "ROOMS", "IMAGE") if values[name]]
         for layer in layers:
-            # Of a file; the layers of the project are the user's, and have none already.
-            if not is_on_earth(layer) and not self.project.mapLayer(layer.id()):
-                forget_system(layer)
+            # The layers of the project are as the user has styled them.
+            if not self.project.mapLayer(layer.id()):
+                _prepare(layer)
         walls, scale = values["WALLS"], values["SCALE"]
         extent = _extent(layers[: -1 if values["IMAGE"] else None])
         sheet = choose_sheet(SHEETS[values["SHEET"]], scale, extent.width(), extent.height())
@@ -126,6 +126,13 @@ class PlanLayoutAlgorithm(Algorithm):
             number += 1
             free = f"{name} ({number})"
         return free
+
+
+def _prepare(layer: QgsMapLayer) -> None:
+    """Show the layer of a file as QGIS does when a user adds it: in the style that is saved beside it."""
+    layer.loadDefaultStyle()
+    if not is_on_earth(layer):
+        forget_system(layer)
 
 
 def _extent(layers: list[QgsMapLayer]) -> QgsRectangle:

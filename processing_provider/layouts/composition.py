@@ -135,7 +135,9 @@ def _legend(layout: QgsPrintLayout, sheet: Sheet, contents: Contents, shown: Qgs
     tree = legend.model().rootGroup()
     tree.clear()
     for layer in contents.layers:
-        tree.addLayer(layer)
+        # Of an image, the legend would name its bands.
+        if layer.type() != QgsMapLayer.LayerType.RasterLayer:
+            tree.addLayer(layer)
     # Kinds that are not on the sheet are not in its legend.
     legend.setLegendFilterByMapEnabled(True)
     _place(layout, legend, sheet.legend)

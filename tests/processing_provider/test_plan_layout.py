@@ -1,6 +1,7 @@
 """The printed sheet: true to scale on paper, and nothing but a layout in the project."""
 
 import re
+from pathlib import Path
 
 import fiona
 import numpy as np
@@ -139,6 +140,18 @@ def test_an_elevation_without_a_system_is_drawn_without_a_complaint(make_sheet, 
 
     assert np.abs(size_of_outline(tmp_path / "sheet.pdf", 50)).max() < 0.1
     assert not [text for text in messages if "transform" in text]
+
+
+def test_the_layer_of_a_file_is_drawn_in_the_style_that_is_saved_beside_it(make_sheet, walls, tmp_path):
+    from ichnograph.processing_provider.styles import style_of
+
+    outline = "#8c2814"
+    drawn = []
+    for style in ("", style_of("walls", Path(walls), {})):
+        Path(walls).with_suffix(".qml").write_text(style, encoding="utf-8")
+        make_sheet(WALLS=walls, SVG=str(tmp_path / "sheet.svg"))
+        drawn.append(outline in (tmp_path / "sheet.svg").read_text(encoding="utf-8"))
+    assert drawn == [False, True]
 
 
 def test_the_sheet_can_be_written_as_svg(make_sheet, walls, tmp_path):
