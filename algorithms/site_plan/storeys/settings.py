@@ -96,6 +96,7 @@ class FootprintSettings:
     drop_m: float = judged(0.3, "A surface farther below the highest around is no ceiling but a soffit.")
     around_m: float = physical(0.5, "Most walls are thinner, so that the ceiling beside a lintel is reached.")
     upright_levels: int = judged(5, "Pixels with so many levels are faces, of which no side is known.")
+    neighbours: int = physical(6, "This neighbour is 1.4 spacings away in a square pattern on a surface.")
     closed_spacings: float = judged(1.5, "Points leave gaps of up to three spacings by chance.")
     closed_m: float = judged(0.16, "Wider gaps, as between sparse points, may be walls.")
     barrier_m: float = judged(0.5, "A wall may continue, hidden, beyond the end of its sheet.")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
+from scipy.spatial import cKDTree
 
 from ..settings import FootprintSettings, LevelSettings
 from .levels import Frame, Storey, Uprights, count_levels
@@ -61,9 +62,8 @@ def find_footprint(
     weight[np.isfinite(floor)] = settings.floor_weight
     weight[ceiling >= around - settings.drop_m] = settings.ceiling_weight
     neutral = _are_upright(uprights, frame, settings.upright_levels)
-    closing = min(settings.closed_spacings * voxels.spacing_m, settings.closed_m)
     barrier = neutral | _drawn(sheets, frame, settings.barrier_m)
-    weight = _closed(weight, barrier, max(round(closing / frame.pixel_m), 1))
+    weight = _closed(weight, barrier, _gaps(xyz[low | high], frame, settings))
     weight[neutral | (barrier & (weight == 0))] = np.nan
     return Footprint(frame, weight, floor, ceiling)
 
@@ -99,13 +99,41 @@ def _drawn(sheets: Sequence[Sheet], frame: Frame, extension: float) -> np.ndarra
     return drawn
 
 
-def _closed(weight: np.ndarray, barrier: np.ndarray, radius: int) -> np.ndarray:
+def _gaps(xyz: np.ndarray, frame: Frame, settings: FootprintSettings) -> np.ndarray:
+    """Return how many pixels a gap is closed from each side, by the spacing of floor and ceiling around it.
+
+    Far from a scanner they are sparse, because the rays graze them.
+    """
+    if len(xyz) <= settings.neighbours:
+        return np.ones(frame.shape, int)
+    distance = cKDTree(xyz).query(xyz, settings.neighbours + 1)[0][:, -1]
+    spacing = _usual_around(distance / np.sqrt(2.0), xyz, frame, round(settings.around_m / frame.pixel_m))
+    gap = np.minimum(settings.closed_spacings * spacing, settings.closed_m)
+    return np.maximum(np.rint(gap / frame.pixel_m).astype(int), 1)
+
+
+def _usual_around(values: np.ndarray, xyz: np.ndarray, frame: Frame, block: int) -> np.ndarray:
+    """Return for each pixel the median of the values of the points in its block, or in the nearest one."""
+    row, column = (place // block for place in frame.places(xyz))
+    rows, columns = (-(-length // block) for length in frame.shape)
+    number = row * columns + column
+    held = np.unique(number)
+    usual = np.full(rows * columns, np.nan)
+    usual[held] = ndimage.median(values, number, held)
+    usual = usual.reshape(rows, columns)
+    nearest = ndimage.distance_transform_edt(np.isnan(usual), return_distances=False, return_indices=True)
+    pixels = usual[tuple(nearest)].repeat(block, 0).repeat(block, 1)
+    return pixels[: frame.shape[0], : frame.shape[1]]
+
+
+def _closed(weight: np.ndarray, barrier: np.ndarray, gaps: np.ndarray) -> np.ndarray:
     """Close gaps up to so many pixels from each side, but nothing behind a barrier."""
     closed = weight.copy()
     free = ~barrier
     for value in np.unique(weight[weight > 0]):
-        seen = ndimage.binary_dilation((weight >= value) & free, iterations=radius, mask=free)
-        unseen = ndimage.binary_dilation(free & ~seen, iterations=radius, mask=free)
-        filled = free & ~unseen
-        closed[filled] = np.maximum(closed[filled], value)
+        for radius in np.unique(gaps):
+            seen = ndimage.binary_dilation((weight >= value) & free, iterations=radius, mask=free)
+            unseen = ndimage.binary_dilation(free & ~seen, iterations=radius, mask=free)
+            filled = free & ~unseen & (gaps >= radius)
+            closed[filled] = np.maximum(closed[filled], value)
     return closed

@@ -63,6 +63,17 @@ def test_gaps_between_sparse_points_are_closed_and_not_those_as_wide_as_a_wall()
     assert weight_at(found, 2.25, 1) == 0
 
 
+def test_floor_that_is_sparse_far_from_the_scanner_is_closed_beside_a_dense_one():
+    found = footprint_of(flat(0, 0, 2, 2, 0.0, 0.02), flat(2.1, 0, 4, 2, 0.0, 0.12))
+    assert weight_at(found, 3.06, 0.96) == pytest.approx(0.8)
+
+
+def test_single_points_in_a_wall_do_not_widen_the_gaps_that_are_closed():
+    floor = [flat(0, 0, 2, 2, 0.0, 0.02), flat(2.2, 0, 4, 2, 0.0, 0.02)]
+    found = footprint_of(*floor, np.array([[2.1, 1.0, 0.0], [2.1, 1.4, 0.0]]))
+    assert weight_at(found, 2.1, 1.2) == 0
+
+
 def test_a_gap_along_a_sheet_is_not_closed():
     parts = [flat(0, 0, 1.97, 2, 0.0), flat(2.03, 0, 4, 2, 0.0)]
     assert weight_at(footprint_of(*parts, spacing=0.08), 2.0, 1) > 0
