@@ -2,6 +2,7 @@
 PYTHON ?= /usr/bin/python3
 # The last mypy that checks against Python 3.9.
 TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.*
+SITE_TOOLS = "sphinx>=7,<10" "myst-parser>=3,<6" "furo>=2024"
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
@@ -39,6 +40,10 @@ distribution:
 .tools/installed: Makefile | distribution
 	$(PYTHON) -m venv .tools
 	.tools/bin/pip install --quiet $(TOOLS)
+	@touch $@
+
+.tools/site: .tools/installed
+	.tools/bin/pip install --quiet $(SITE_TOOLS)
 	@touch $@
 
 demo: setup  ## Simulate scans of ruins and of a facade, register them, and make the site plan and the elevation
@@ -175,6 +180,15 @@ example: setup  ## Simulate the example data that the plugin ships
 		--survey processing_provider/example/control.txt --move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
 	$(RUN) -m ichnograph.tests.scenes.facades medina processing_provider/example/facade.laz --spacing 0.03 \
 		--move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
+
+.PHONY: docs tutorial
+docs: setup .tools/site  ## Make the site of the documentation in build/site/html, and check its links
+	$(RUN) -m ichnograph.scripts.site.pages build/site/pages
+	.tools/bin/sphinx-build -q -W --keep-going -c scripts/site build/site/pages build/site/html
+
+tutorial: setup  ## Run the commands of docs/tutorial.md, and draw its pictures
+	@rm -rf build/tutorial
+	$(RUN) -m ichnograph.scripts.tutorial build/tutorial docs/pictures
 
 house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
 	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg
