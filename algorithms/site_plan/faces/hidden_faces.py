@@ -43,11 +43,15 @@ def move_hidden_faces(
     doubtful = {key for key, face in found.items() if _share(face, shared.get(key, {})) >= settings.share}
     pairs = [(-len(rows), key, other) for key, others in shared.items() for other, rows in others.items()]
     backs: dict[Key, Face] = {}
+    # A front that another back lies behind was seen, so that it is not itself a back.
+    fronts: set[Key] = set()
     for _, key, other in sorted(pairs):
-        candidates = {key, other} & doubtful
+        candidates = {key, other} & doubtful - fronts
         if candidates and key not in backs and other not in backs:
             back = max(candidates, key=lambda one: (-light[one], one))
-            backs[back] = _behind(found[back], found[other if back == key else key], settings)
+            front = other if back == key else key
+            backs[back] = _behind(found[back], found[front], settings)
+            fronts.add(front)
     return [
         replace(ring, faces=tuple(backs.get((r, k), face) for k, face in enumerate(ring.faces)))
         for r, ring in enumerate(rings)

@@ -80,8 +80,12 @@ def screens(
                 runs = _full_runs(ends, uprights, mask, fewest, settings.screen_m)
                 found += [run for run in runs if not has_wall_behind(run, faces, settings)]
     found = np.array(found).reshape(-1, 4)
-    tall = uprights.mean_levels(found, -1 << round(settings.head_m / levels.level_m))
-    return found[tall >= settings.head_levels]
+    above_heads = -1 << round(settings.head_m / levels.level_m)
+    middle = (found[:, :2] + found[:, 2:]) / 2
+    # The railing of a stair is higher than heads at its upper end only.
+    halves = np.hstack([found[:, :2], middle]), np.hstack([middle, found[:, 2:]])
+    lower = np.min([uprights.mean_levels(half, above_heads) for half in halves], axis=0)
+    return found[lower >= settings.head_levels]
 
 
 def has_wall_behind(run: np.ndarray, faces: np.ndarray, settings: FreeFaceSettings) -> bool:

@@ -53,3 +53,15 @@ def test_the_two_faces_of_a_wall_are_both_seen():
 
 def test_faces_that_run_the_same_way_do_not_hide_each_other():
     assert not any(one.hidden for one in moved((face(3.0, EAST), face(3.01, EAST)), held(north=False)))
+
+
+def test_a_front_is_not_moved_behind_the_next_face_of_a_bent_wall():
+    back, front = face(3.0, EAST), face(3.0, -EAST)
+    # The wall goes on, bent by 6 degrees, and shares the last ridge points of the front.
+    bend = np.array([np.cos(0.1), np.sin(0.1)])
+    curve = Line(np.array([4.9, 3.0]), bend)
+    ridge = curve.at(np.arange(0, 1.01, 0.05))
+    following = Face(curve, np.arange(len(ridge)), ridge, 0.0, 1.0, 0.004)
+    back, following, front = moved((back, following, front), held(south=False))
+    assert (back.hidden, front.hidden) == (True, False)
+    assert front.curve.point[1] == pytest.approx(3.0)

@@ -72,6 +72,12 @@ def test_what_is_short_near_a_wall_or_low_is_no_screen(face):
     assert len(screen(face)) == 0
 
 
+def test_the_railing_of_a_stair_rises_above_heads_at_its_upper_end_only():
+    lower, upper = Face((1.2, 1.5), (2.0, 1.5), 3, 16), Face((2.0, 1.5), (2.8, 1.5), 10, 26)
+    sheet = Face((1.2, 1.5), (2.8, 1.5)).sheet
+    assert len(screens([sheet], ROOM, INNER, along(lower, upper))) == 0
+
+
 def test_without_walls_around_it_a_screen_is_a_screen():
     assert len(screen(Face((1.2, 0.5), (2.8, 0.5)), bounding=NONE)) == 1
 
