@@ -26,6 +26,7 @@ from .elevation import (
     frame_of,
 )
 from .openings.content import fill_regions
+from .openings.floors import divide_at_floors
 from .openings.regions import find_regions
 from .openings.states import States, make_states
 from .outlines.acceptance import is_opening, is_regular
@@ -79,7 +80,8 @@ def measure_facade(
     states = make_states(
         scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
     )
-    openings = fill_regions(states, find_regions(states, settings.openings), settings.openings.content)
+    regions = divide_at_floors(find_regions(states, settings.openings), states, settings.openings.floors)
+    openings = fill_regions(states, regions, settings.openings.content)
     progress.update(0.3, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(

@@ -11,7 +11,10 @@ from scipy.spatial import cKDTree
 from ..planes.voxels import make_voxels
 from .grid import Grid, beyond
 from .settings import LayerSettings, SurfaceSettings
+from .spacings import closed_wall
 from .wall_surface import WallSurface, fit_surface
+
+SQUARE = np.ones((3, 3), bool)
 
 
 @dataclass(frozen=True)
@@ -37,12 +40,13 @@ def find_layers(
     main: WallSurface,
     grid: Grid,
     cells: np.ndarray,
+    spacings: np.ndarray,
     limits: tuple[LayerSettings, SurfaceSettings] = (LayerSettings(), SurfaceSettings()),
 ) -> list[Layer]:
     """Return the layers of a facade, the main wall first, then by falling area.
 
     Parts in front count if the main wall is not seen behind them. Parts behind count if moreover the main
-    wall does not enclose them on three sides, as it encloses what is seen through an opening.
+    wall does not enclose them on both sides and above or below, as it encloses what is seen in an opening.
 
     Parameters
     ----------
@@ -52,19 +56,25 @@ def find_layers(
     grid : Grid
     cells : ndarray of int64, shape (n,)
         The pixel of each point.
+    spacings : ndarray of float64, shape (rows, columns)
+        Of the points of the main wall around each pixel (m).
     limits : tuple of LayerSettings and SurfaceSettings
     """
     settings, _ = limits
     above = main.above(uvw)
     wall = grid.holds(cells[np.abs(above) <= main.tolerance])
     layers = [Layer(main, 0.0, wall)]
-    closed = ndimage.binary_closing(wall, np.ones((3, 3)))
+    wall = closed_wall(ndimage.binary_closing(wall, SQUARE), spacings, grid.size)
+    solid = _without_specks(wall, settings)
     near = (cells >= 0) & (above < settings.before_m) & (above > -settings.behind_m)
     rows = np.flatnonzero(near & (np.abs(above) > main.tolerance))
     for part in _flat_parts(np.column_stack([uvw[rows, :2], above[rows]]), settings):
         layer = _layer(uvw, rows[part], main, grid, cells, limits)
-        if layer is not None and _belongs(layer, closed, grid, settings):
+        if layer is not None and _belongs(layer, wall, solid, settings):
             layers.append(layer)
+            # What is seen through the openings of a neighbour has the neighbour's wall around it.
+            part_of_wall = closed_wall(ndimage.binary_closing(layer.image, SQUARE), spacings, grid.size)
+            solid |= _without_specks(part_of_wall, settings)
     return layers
 
 
@@ -109,12 +119,21 @@ def _layer(
     return Layer(surface, offset, image)
 
 
-def _belongs(layer: Layer, wall: np.ndarray, grid: Grid, settings: LayerSettings) -> bool:
+def _without_specks(wall: np.ndarray, settings: LayerSettings) -> np.ndarray:
+    """Return the large parts of a wall, because strips and specks of it enclose nothing."""
+    pieces, _ = ndimage.label(ndimage.binary_opening(wall, SQUARE))
+    sizes = np.bincount(pieces.ravel())
+    sizes[0] = 0
+    return np.asarray((sizes >= settings.piece * sizes.max())[pieces] & (pieces > 0))
+
+
+def _belongs(layer: Layer, wall: np.ndarray, solid: np.ndarray, settings: LayerSettings) -> bool:
     """Whether a surface is part of the facade, and not in front of it or seen through it."""
     whole = max(int(layer.image.sum()), 1)
     if (layer.image & wall).sum() > settings.covered * whole:
         return False
     if layer.depth > 0:
         return True
-    around = beyond(wall).sum(axis=0) >= 3
+    left, right, below, above = beyond(solid)
+    around = left & right & (below | above)
     return bool((layer.image & around).sum() <= settings.enclosed * whole)

@@ -35,13 +35,6 @@ def test_the_inner_face_of_a_wall_is_not_seen_through_a_hole():
     assert state_at(states, 3.5, 1.5) == INNER
 
 
-def test_the_spacing_is_that_of_the_thinly_scanned_part():
-    dense = at(lattice(0, 0, 3, 4, STEP / 3))
-    states = states_of(np.concatenate([wall(left=3.0), dense]))
-
-    assert 0.9 * STEP < states.spacing < 1.1 * STEP
-
-
 def test_points_far_behind_and_far_in_front_show_nothing():
     states = states_of(wall(WINDOW), pane(WINDOW, -9.0), pane(WINDOW, 7.0))
     assert state_at(states, 1.5, 1.8) == EMPTY
