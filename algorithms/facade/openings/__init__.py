@@ -6,6 +6,6 @@ and behind (`layers`); how far apart its points are changes over it (`spacings`)
 are regions (`regions`), divided at landings (`floors`), and what is seen in them gives their depth and their
 use (`content`). Their outlines are made in the room `outlines`.
 
-Public names: `states.make_states`, `regions.find_regions`, `floors.divide_at_floors`, `content.fill_regions`, `content.Opening`,
-`settings.OpeningSettings`.
+Public names: `states.make_states`, `regions.find_regions`, `floors.divide_at_floors`,
+`content.fill_regions`, `content.Opening`, `settings.OpeningSettings`.
 """

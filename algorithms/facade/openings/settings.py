@@ -37,7 +37,7 @@ class LayerSettings:
     )
     enclosed: float = judged(
         0.5,
-        "With the main wall on both sides and above or below this part of it, it was seen through an opening.",
+        "With the main wall on both sides of this part, and above or below, it was seen in an opening.",
     )
 
 
