@@ -45,8 +45,8 @@ def find_layers(
 ) -> list[Layer]:
     """Return the layers of a facade, the main wall first, then by falling area.
 
-    Parts in front count if the main wall is not seen behind them. Parts behind count if moreover the main
-    wall does not enclose them on both sides and above or below, as it encloses what is seen in an opening.
+    Parts count where the main wall is not seen, unless a part before them, such as the main wall, lies on both
+    sides of them and above or below, as it encloses what is seen in an opening.
 
     Parameters
     ----------
@@ -64,17 +64,18 @@ def find_layers(
     above = main.above(uvw)
     wall = grid.holds(cells[np.abs(above) <= main.tolerance])
     layers = [Layer(main, 0.0, wall)]
-    wall = closed_wall(ndimage.binary_closing(wall, SQUARE), spacings, grid.size)
-    solid = _without_specks(wall, settings)
+    solids = [_solid(wall, spacings, grid, settings)]
     near = (cells >= 0) & (above < settings.before_m) & (above > -settings.behind_m)
     rows = np.flatnonzero(near & (np.abs(above) > main.tolerance))
     for part in _flat_parts(np.column_stack([uvw[rows, :2], above[rows]]), settings):
         layer = _layer(uvw, rows[part], main, grid, cells, limits)
-        if layer is not None and _belongs(layer, wall, solid, settings):
+        if layer is None or _is_covered(layer, wall, settings):
+            continue
+        # What is seen through the openings of a bay or a neighbour has that part of the wall around it.
+        before = [solid for other, solid in zip(layers, solids) if other.depth > layer.depth]
+        if not _is_enclosed(layer, before, settings):
             layers.append(layer)
-            # What is seen through the openings of a neighbour has the neighbour's wall around it.
-            part_of_wall = closed_wall(ndimage.binary_closing(layer.image, SQUARE), spacings, grid.size)
-            solid |= _without_specks(part_of_wall, settings)
+            solids.append(_solid(layer.image, spacings, grid, settings))
     return layers
 
 
@@ -119,21 +120,25 @@ def _layer(
     return Layer(surface, offset, image)
 
 
-def _without_specks(wall: np.ndarray, settings: LayerSettings) -> np.ndarray:
-    """Return the large parts of a wall, because strips and specks of it enclose nothing."""
-    pieces, _ = ndimage.label(ndimage.binary_opening(wall, SQUARE))
+def _solid(wall: np.ndarray, spacings: np.ndarray, grid: Grid, settings: LayerSettings) -> np.ndarray:
+    """Return the large parts of a wall without gaps, because strips and specks of it enclose nothing."""
+    closed = closed_wall(ndimage.binary_closing(wall, SQUARE), spacings, grid.size)
+    pieces, _ = ndimage.label(ndimage.binary_opening(closed, SQUARE))
     sizes = np.bincount(pieces.ravel())
     sizes[0] = 0
     return np.asarray((sizes >= settings.piece * sizes.max())[pieces] & (pieces > 0))
 
 
-def _belongs(layer: Layer, wall: np.ndarray, solid: np.ndarray, settings: LayerSettings) -> bool:
-    """Whether a surface is part of the facade, and not in front of it or seen through it."""
-    whole = max(int(layer.image.sum()), 1)
-    if (layer.image & wall).sum() > settings.covered * whole:
+def _is_covered(layer: Layer, wall: np.ndarray, settings: LayerSettings) -> bool:
+    """Whether the main wall is seen where a surface is, so that the surface is not a part of the facade."""
+    closed = ndimage.binary_closing(wall, SQUARE)
+    return bool((layer.image & closed).sum() > settings.covered * layer.image.sum())
+
+
+def _is_enclosed(layer: Layer, before: list[np.ndarray], settings: LayerSettings) -> bool:
+    """Whether a surface was seen through an opening of the parts before it."""
+    if not before:
         return False
-    if layer.depth > 0:
-        return True
-    left, right, below, above = beyond(solid)
+    left, right, below, above = beyond(np.logical_or.reduce(before))
     around = left & right & (below | above)
-    return bool((layer.image & around).sum() <= settings.enclosed * whole)
+    return bool((layer.image & around).sum() > settings.enclosed * layer.image.sum())

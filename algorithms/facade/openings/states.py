@@ -7,7 +7,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..planes.inner_face import Face
-from .grid import Grid, grid_over
+from .grid import Grid, beyond, grid_over
 from .layers import Layer, find_layers
 from .settings import OpeningSettings
 from .spacings import local_spacings
@@ -79,7 +79,7 @@ def make_states(
     main = fit_surface(uvw[wall], distance, settings.surface)
     of_main = local_spacings(cells[wall], grid, limits)
     layers = find_layers(uvw, main, grid, cells, of_main, (settings.layers, settings.surface))
-    nearest = _nearest(layers)
+    nearest = _nearest(layers, settings)
     of_point = np.where(cells >= 0, nearest.ravel()[np.maximum(cells, 0)], 0)
     above, tolerance = np.empty(len(uvw)), np.empty(len(uvw))
     for number, layer in enumerate(layers):
@@ -124,11 +124,16 @@ def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
     return float(side / np.sqrt(np.median(full)))
 
 
-def _nearest(layers: list[Layer]) -> np.ndarray:
+def _nearest(layers: list[Layer], settings: OpeningSettings) -> np.ndarray:
     if len(layers) == 1:
         return np.zeros(layers[0].image.shape, np.int16)
     numbers = np.zeros(layers[0].image.shape, np.int16)
     for number, layer in enumerate(layers, start=1):
         numbers[layer.image & (numbers == 0)] = number
+    for number, layer in enumerate(layers, start=1):
+        if layer.depth >= settings.layers.bay_m:
+            # What is seen in the windows of a bay may be as deep as the main wall.
+            inside = beyond(ndimage.binary_closing(layer.image, np.ones((3, 3)))).all(axis=0)
+            numbers[inside & (numbers == 1)] = number
     nearest = ndimage.distance_transform_edt(numbers == 0, return_distances=False, return_indices=True)
     return numbers[tuple(nearest)] - 1

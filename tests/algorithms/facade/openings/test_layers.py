@@ -40,3 +40,9 @@ def test_what_is_seen_in_the_windows_of_a_neighbour_set_back_is_not_a_layer():
     other = at(without(lattice(*neighbour, 0.03), *window), -0.06)
     main = np.concatenate([wall(left=3.0), pane((-0.3, 0.5, -0.2, 3.5), 0.0)])
     assert depths(main, other, pane(window, -0.25)) == pytest.approx([0, -0.06])
+
+
+def test_the_pane_of_a_bay_is_not_a_layer():
+    bay, window = (1.0, 0.3, 4.5, 3.6), (1.6, 1.0, 3.4, 2.4)
+    front = at(without(lattice(*bay, 0.03), *window), 0.7)
+    assert depths(wall(bay), front, pane(window, 0.5)) == pytest.approx([0, 0.7])
