@@ -27,6 +27,7 @@ from .elevation import (
 )
 from .openings.content import fill_regions
 from .openings.floors import divide_at_floors
+from .openings.parts import part_outlines
 from .openings.regions import find_regions
 from .openings.states import States, make_states
 from .outlines.acceptance import is_opening, is_regular
@@ -174,7 +175,8 @@ def _elevation(
     for item, outline in made:
         outlines.setdefault(item.kind, []).append(outline.polygon)
     deepest = max((item.depth for item in large if item.kind == PROJECTION), default=0.0)
-    whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
+    parts = part_outlines(states)
+    whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall, parts)
     face, unseen = whole.face, whole.unseen
     if face.is_empty:
         raise NothingFoundError(

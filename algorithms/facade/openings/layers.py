@@ -45,7 +45,7 @@ def find_layers(
 ) -> list[Layer]:
     """Return the layers of a facade, the main wall first, then by falling area.
 
-    Parts count where the main wall is not seen, unless a part before them, such as the main wall, lies on both
+    Parts count where the main wall is not seen, unless a part before them, such as the main wall, is on both
     sides of them and above or below, as it encloses what is seen in an opening.
 
     Parameters

@@ -28,7 +28,9 @@ class LayerSettings:
     reach_cubes: float = judged(2.2, "Cubes are neighbours up to this distance, in sides of a cube.")
     step: float = judged(0.35, "Neighbours differ in depth by at most this part of the side of a cube.")
     before_m: float = physical(1.6, "Bays and balconies project up to this; what is farther is the street.")
-    bay_m: float = physical(0.4, "Bays project more, and have windows; pilasters and friezes frame the wall itself.")
+    bay_m: float = physical(
+        0.4, "Bays project more, and have windows; pilasters and friezes frame the wall itself."
+    )
     behind_m: float = physical(3.0, "Storeys are set back up to this; what is farther is another building.")
     covered: float = judged(
         0.3, "A part over which more of the main wall is seen is no part of the facade: a car, a room."
