@@ -8,6 +8,7 @@ from scipy import ndimage
 
 from .grid import ABOVE, BELOW, LEFT, RIGHT, beyond, first_seen
 from .settings import OpeningSettings, RegionSettings
+from .shadows import without_shadows
 from .spacings import closed_wall
 from .states import BEHIND, EMPTY, FRONT, WALL, States
 
@@ -49,7 +50,7 @@ def find_regions(states: States, settings: OpeningSettings = OpeningSettings()) 
     """
     limits, size = settings.regions, states.grid.size
     wall = solid_wall(states)
-    holes = _holes(states, wall, limits)
+    holes = without_shadows(_holes(states, wall, limits), states, wall, limits)
     labels, _ = ndimage.label(holes)
     found = [_region(labels, number, box) for number, box in enumerate(ndimage.find_objects(labels), start=1)]
     found = [part for region in found for part in _split(region, limits, size)]

@@ -78,6 +78,10 @@ class RegionSettings:
     )
     rim_pixels: int = judged(2, "The rim of a region is uncertain by a pixel, and so are its jambs.")
     hidden: float = judged(0.3, "It is hidden by something in front if this part of its rim is in front.")
+    shown: float = judged(0.05, "A column of pixels with a smaller part behind the wall shows nothing.")
+    shadow: float = judged(
+        0.6, "What shows nothing is a shadow if it is lower than this part of what is beside it."
+    )
     post_m: float = physical(0.3, "Posts between the lights of one window are narrower.")
     alike: float = judged(0.8, "Lights of one window share this part of their heights.")
     filled: float = judged(0.65, "A region that fills less of its box may be two openings, joined at a neck.")
