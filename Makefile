@@ -151,6 +151,10 @@ facade: setup  ## Print how well the details of simulated facades are measured
 streets: setup  ## Print how well openings are found and measured in simulated streets
 	$(RUN) -m ichnograph.benchmarks.streets
 
+.PHONY: facade-cuts
+facade-cuts: setup  ## Print how far the openings of a facade depend on what else is in its cloud (CLOUDS=)
+	$(RUN) -m ichnograph.benchmarks.facade_cuts $(CLOUDS)
+
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
 

@@ -26,6 +26,8 @@ from .elevation import (
     frame_of,
 )
 from .openings.content import fill_regions
+from .openings.floors import divide_at_floors
+from .openings.parts import part_outlines
 from .openings.regions import find_regions
 from .openings.states import States, make_states
 from .outlines.acceptance import is_opening, is_regular
@@ -79,7 +81,8 @@ def measure_facade(
     states = make_states(
         scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
     )
-    openings = fill_regions(states, find_regions(states, settings.openings), settings.openings.content)
+    regions = divide_at_floors(find_regions(states, settings.openings), states, settings.openings.floors)
+    openings = fill_regions(states, regions, settings.openings.content)
     progress.update(0.3, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(
@@ -172,7 +175,8 @@ def _elevation(
     for item, outline in made:
         outlines.setdefault(item.kind, []).append(outline.polygon)
     deepest = max((item.depth for item in large if item.kind == PROJECTION), default=0.0)
-    whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall)
+    parts = part_outlines(states)
+    whole = complete(wall, outlines, deepest, settings.smallest_m2, settings.outlines.wall, parts)
     face, unseen = whole.face, whole.unseen
     if face.is_empty:
         raise NothingFoundError(

@@ -11,7 +11,10 @@ from scipy.spatial import cKDTree
 from ..planes.voxels import make_voxels
 from .grid import Grid, beyond
 from .settings import LayerSettings, SurfaceSettings
+from .spacings import closed_wall
 from .wall_surface import WallSurface, fit_surface
+
+SQUARE = np.ones((3, 3), bool)
 
 
 @dataclass(frozen=True)
@@ -37,12 +40,13 @@ def find_layers(
     main: WallSurface,
     grid: Grid,
     cells: np.ndarray,
+    spacings: np.ndarray,
     limits: tuple[LayerSettings, SurfaceSettings] = (LayerSettings(), SurfaceSettings()),
 ) -> list[Layer]:
     """Return the layers of a facade, the main wall first, then by falling area.
 
-    Parts in front count if the main wall is not seen behind them. Parts behind count if moreover the main
-    wall does not enclose them on three sides, as it encloses what is seen through an opening.
+    Parts count where the main wall is not seen, unless a part before them, such as the main wall, is on both
+    sides of them and above or below, as it encloses what is seen in an opening.
 
     Parameters
     ----------
@@ -52,19 +56,26 @@ def find_layers(
     grid : Grid
     cells : ndarray of int64, shape (n,)
         The pixel of each point.
+    spacings : ndarray of float64, shape (rows, columns)
+        Of the points of the main wall around each pixel (m).
     limits : tuple of LayerSettings and SurfaceSettings
     """
     settings, _ = limits
     above = main.above(uvw)
     wall = grid.holds(cells[np.abs(above) <= main.tolerance])
     layers = [Layer(main, 0.0, wall)]
-    closed = ndimage.binary_closing(wall, np.ones((3, 3)))
+    solids = [_solid(wall, spacings, grid, settings)]
     near = (cells >= 0) & (above < settings.before_m) & (above > -settings.behind_m)
     rows = np.flatnonzero(near & (np.abs(above) > main.tolerance))
     for part in _flat_parts(np.column_stack([uvw[rows, :2], above[rows]]), settings):
         layer = _layer(uvw, rows[part], main, grid, cells, limits)
-        if layer is not None and _belongs(layer, closed, grid, settings):
+        if layer is None or _is_covered(layer, wall, settings):
+            continue
+        # What is seen through the openings of a bay or a neighbour has that part of the wall around it.
+        before = [solid for other, solid in zip(layers, solids) if other.depth > layer.depth]
+        if not _is_enclosed(layer, before, settings):
             layers.append(layer)
+            solids.append(_solid(layer.image, spacings, grid, settings))
     return layers
 
 
@@ -109,12 +120,25 @@ def _layer(
     return Layer(surface, offset, image)
 
 
-def _belongs(layer: Layer, wall: np.ndarray, grid: Grid, settings: LayerSettings) -> bool:
-    """Whether a surface is part of the facade, and not in front of it or seen through it."""
-    whole = max(int(layer.image.sum()), 1)
-    if (layer.image & wall).sum() > settings.covered * whole:
+def _solid(wall: np.ndarray, spacings: np.ndarray, grid: Grid, settings: LayerSettings) -> np.ndarray:
+    """Return the large parts of a wall without gaps, because strips and specks of it enclose nothing."""
+    closed = closed_wall(ndimage.binary_closing(wall, SQUARE), spacings, grid.size)
+    pieces, _ = ndimage.label(ndimage.binary_opening(closed, SQUARE))
+    sizes = np.bincount(pieces.ravel())
+    sizes[0] = 0
+    return np.asarray((sizes >= settings.piece * sizes.max())[pieces] & (pieces > 0))
+
+
+def _is_covered(layer: Layer, wall: np.ndarray, settings: LayerSettings) -> bool:
+    """Whether the main wall is seen where a surface is, so that the surface is not a part of the facade."""
+    closed = ndimage.binary_closing(wall, SQUARE)
+    return bool((layer.image & closed).sum() > settings.covered * layer.image.sum())
+
+
+def _is_enclosed(layer: Layer, before: list[np.ndarray], settings: LayerSettings) -> bool:
+    """Whether a surface was seen through an opening of the parts before it."""
+    if not before:
         return False
-    if layer.depth > 0:
-        return True
-    around = beyond(wall).sum(axis=0) >= 3
-    return bool((layer.image & around).sum() <= settings.enclosed * whole)
+    left, right, below, above = beyond(np.logical_or.reduce(before))
+    around = left & right & (below | above)
+    return bool((layer.image & around).sum() > settings.enclosed * layer.image.sum())

@@ -8,7 +8,9 @@ from scipy import ndimage
 
 from .grid import ABOVE, BELOW, LEFT, RIGHT, beyond, first_seen
 from .settings import OpeningSettings, RegionSettings
-from .states import BEHIND, FRONT, WALL, States
+from .shadows import without_shadows
+from .spacings import closed_wall
+from .states import BEHIND, EMPTY, FRONT, WALL, States
 
 Box = tuple[slice, slice]
 SQUARE = np.ones((3, 3), bool)
@@ -48,18 +50,22 @@ def find_regions(states: States, settings: OpeningSettings = OpeningSettings()) 
     """
     limits, size = settings.regions, states.grid.size
     wall = solid_wall(states)
-    holes = _holes(states, wall, limits)
+    holes = without_shadows(_holes(states, wall, limits), states, wall, limits)
     labels, _ = ndimage.label(holes)
     found = [_region(labels, number, box) for number, box in enumerate(ndimage.find_objects(labels), start=1)]
     found = [part for region in found for part in _split(region, limits, size)]
     found = _joined(found, states, limits)
     found = [_with_front(region, states) for region in found]
-    return [region for region in found if _is_opening(region, limits, size)]
+    return [
+        region for region in found if _is_opening(region, limits, size) and _has_depth(region, states, limits)
+    ]
 
 
 def solid_wall(states: States) -> np.ndarray:
     """Return the pixels of the wall, without single gaps between its points."""
     wall = states.image == WALL
+    closed = closed_wall(wall, states.spacings, states.grid.size)
+    wall |= closed & (states.image == EMPTY)
     # A pixel amid the wall that shows what is behind is a gap as well.
     crowded = ndimage.convolve(wall.astype(np.uint8), SQUARE.astype(np.uint8), mode="constant") >= 6
     return wall | crowded
@@ -237,6 +243,22 @@ def _with_front(region: Region, states: States) -> Region:
 def _is_opening(region: Region, limits: RegionSettings, size: float) -> bool:
     height, width = region.image.shape
     return min(height, width) * size >= limits.narrowest_m and region.front <= limits.most_front
+
+
+def _has_depth(region: Region, states: States, limits: RegionSettings) -> bool:
+    """Whether jambs, a frame or a pane are seen close behind the rim of a region.
+
+    Otherwise something in front, such as a canopy, hides the wall, and what is seen is a room, scanned from
+    inside.
+    """
+    reach = limits.rim_pixels
+    rows, columns = (slice(max(side.start - reach, 0), side.stop + reach) for side in region.box)
+    image = np.zeros(states.grid.shape, bool)
+    image[region.box] = region.image
+    own = image[rows, columns]
+    rim = ndimage.binary_dilation(own) & ~own
+    close = ndimage.binary_dilation(states.reveals[rows, columns], iterations=reach)
+    return bool((close & rim).sum() >= limits.jambs * rim.sum())
 
 
 def open_sides(region: Region, states: States, wall: np.ndarray) -> tuple[bool, bool, bool, bool]:

@@ -28,12 +28,19 @@ class LayerSettings:
     reach_cubes: float = judged(2.2, "Cubes are neighbours up to this distance, in sides of a cube.")
     step: float = judged(0.35, "Neighbours differ in depth by at most this part of the side of a cube.")
     before_m: float = physical(1.6, "Bays and balconies project up to this; what is farther is the street.")
+    bay_m: float = physical(
+        0.4, "Bays project more, and have windows; pilasters and friezes frame the wall itself."
+    )
     behind_m: float = physical(3.0, "Storeys are set back up to this; what is farther is another building.")
     covered: float = judged(
         0.3, "A part over which more of the main wall is seen is no part of the facade: a car, a room."
     )
+    piece: float = judged(
+        0.02, "A part of the main wall that is smaller than this share of it encloses nothing."
+    )
     enclosed: float = judged(
-        0.5, "If this part of it has the main wall on three sides, it was seen through an opening."
+        0.5,
+        "With the main wall on both sides of this part, and above or below, it was seen in an opening.",
     )
 
 
@@ -42,15 +49,15 @@ class StateSettings:
     """What is seen in each pixel of an elevation."""
 
     pixel_spacings: float = judged(
-        1.5,
-        "Side of a pixel; smaller ones have gaps between the points of a wall, larger ones blur its edges.",
+        1.5, "Side of a pixel in the usual spacing; smaller ones have gaps, larger ones blur the edges."
     )
     fullest: float = judged(
         0.08, "Squares with a smaller part of the median number of points are at the border of the wall."
     )
     highest_percent: float = judged(99.5, "Above the main wall, single points do not make a facade higher.")
-    density_percent: float = judged(
-        25.0, "The spacing is that of the thinly scanned squares, of which at most this many are thinner."
+    square_m: float = judged(0.25, "Squares in which points are counted, to know how far apart they are.")
+    full: float = judged(
+        0.7, "Squares with a smaller part of the points of one beside them are not all wall."
     )
     finest_m: float = physical(0.004, "No opening is so small that smaller pixels are needed.")
     most_pixels: int = physical(4_000_000, "More pixels need more memory and time than they are worth.")
@@ -67,9 +74,14 @@ class RegionSettings:
 
     speck_pixels: int = judged(2, "Narrower strips of the state `behind` are noise, and edges of the wall.")
     jambs: float = judged(
-        0.1, "An empty region is glass if this part of its rim is seen to be behind the wall."
+        0.1, "Something close behind the wall is seen along this part of the rim of an opening."
     )
+    rim_pixels: int = judged(2, "The rim of a region is uncertain by a pixel, and so are its jambs.")
     hidden: float = judged(0.3, "It is hidden by something in front if this part of its rim is in front.")
+    shown: float = judged(0.05, "A column of pixels with a smaller part behind the wall shows nothing.")
+    shadow: float = judged(
+        0.6, "What shows nothing is a shadow if it is lower than this part of what is beside it."
+    )
     post_m: float = physical(0.3, "Posts between the lights of one window are narrower.")
     alike: float = judged(0.8, "Lights of one window share this part of their heights.")
     filled: float = judged(0.65, "A region that fills less of its box may be two openings, joined at a neck.")
@@ -77,6 +89,19 @@ class RegionSettings:
     neck: float = judged(0.5, "A neck is narrower than this part of what it joins.")
     narrowest_m: float = physical(0.15, "Openings are not narrower; gaps between boards and slats are.")
     most_front: float = judged(0.5, "An opening is not hidden by more than this part.")
+
+
+@dataclass(frozen=True)
+class FloorSettings:
+    """Floors between the openings of two storeys."""
+
+    reach_m: float = physical(
+        0.2, "Floors reach this far before a wall and behind it; rails and transoms less."
+    )
+    steps: int = judged(2, "Divisions of this reach, each of which must have points; a rail has one.")
+    thickness_m: float = physical(0.4, "A floor, with the threshold on it, is no thicker.")
+    covered: float = judged(0.6, "A floor is seen over this part of the width.")
+    lowest_m: float = physical(0.5, "The openings above and below a floor are not lower.")
 
 
 @dataclass(frozen=True)
@@ -96,4 +121,5 @@ class OpeningSettings:
     layers: LayerSettings = LayerSettings()
     states: StateSettings = StateSettings()
     regions: RegionSettings = RegionSettings()
+    floors: FloorSettings = FloorSettings()
     content: ContentSettings = ContentSettings()

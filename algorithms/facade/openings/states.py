@@ -7,9 +7,10 @@ import numpy as np
 from scipy import ndimage
 
 from ..planes.inner_face import Face
-from .grid import Grid, grid_over
+from .grid import Grid, beyond, grid_over
 from .layers import Layer, find_layers
 from .settings import OpeningSettings
+from .spacings import local_spacings
 from .wall_surface import fit_surface
 
 EMPTY, WALL, BEHIND, FRONT, INNER = range(5)
@@ -35,8 +36,8 @@ class States:
     on_wall : ndarray of bool, shape (n,)
     reveals : ndarray of bool, shape (rows, columns)
         The pixels with points close behind the wall, as on jambs.
-    spacing : float
-        Of the points of the wall, where it was scanned thinly (m).
+    spacings : ndarray of float64, shape (rows, columns)
+        Of the points of the wall around each pixel (m).
     """
 
     grid: Grid
@@ -47,7 +48,7 @@ class States:
     above: np.ndarray
     on_wall: np.ndarray
     reveals: np.ndarray
-    spacing: float
+    spacings: np.ndarray
 
 
 def make_states(
@@ -72,13 +73,13 @@ def make_states(
     settings : OpeningSettings
     """
     limits = settings.states
-    spacing = _spacing(uvw[wall, :2], settings)
-    size = max(limits.pixel_spacings * spacing, limits.finest_m)
+    size = max(limits.pixel_spacings * _spacing(uvw[wall, :2], settings), limits.finest_m)
     grid = grid_over(_extent(uvw, wall, settings), size, limits.most_pixels)
     cells = grid.cells(uvw[:, :2])
     main = fit_surface(uvw[wall], distance, settings.surface)
-    layers = find_layers(uvw, main, grid, cells, (settings.layers, settings.surface))
-    nearest = _nearest(layers)
+    of_main = local_spacings(cells[wall], grid, limits)
+    layers = find_layers(uvw, main, grid, cells, of_main, (settings.layers, settings.surface))
+    nearest = _nearest(layers, settings)
     of_point = np.where(cells >= 0, nearest.ravel()[np.maximum(cells, 0)], 0)
     above, tolerance = np.empty(len(uvw)), np.empty(len(uvw))
     for number, layer in enumerate(layers):
@@ -96,7 +97,8 @@ def make_states(
         image[grid.holds(cells[own]) & (image != WALL)] = INNER
     deepest = limits.jamb_m if inner is None else min(limits.jamb_m, inner.offset - distance)
     reveals = grid.holds(cells[behind & (above > -deepest)])
-    return States(grid, image, tuple(layers), nearest, cells, above, on_wall, reveals, spacing)
+    spacings = local_spacings(cells[on_wall], grid, limits)
+    return States(grid, image, tuple(layers), nearest, cells, above, on_wall, reveals, spacings)
 
 
 def _extent(uvw: np.ndarray, wall: np.ndarray, settings: OpeningSettings) -> np.ndarray:
@@ -114,19 +116,24 @@ def _extent(uvw: np.ndarray, wall: np.ndarray, settings: OpeningSettings) -> np.
 
 
 def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
-    """Return the spacing of the points of a wall where it was scanned thinly (m)."""
-    side = settings.surface.cell_m
+    """Return the usual spacing of the points of a wall (m)."""
+    side = settings.states.square_m
     counts = np.unique(np.floor(uv / side).astype(np.int64), axis=0, return_counts=True)[1]
     # Squares at the border of the wall are not full.
     full = counts[counts >= settings.states.fullest * np.median(counts)]
-    return float(side / np.sqrt(np.percentile(full, settings.states.density_percent)))
+    return float(side / np.sqrt(np.median(full)))
 
 
-def _nearest(layers: list[Layer]) -> np.ndarray:
+def _nearest(layers: list[Layer], settings: OpeningSettings) -> np.ndarray:
     if len(layers) == 1:
         return np.zeros(layers[0].image.shape, np.int16)
     numbers = np.zeros(layers[0].image.shape, np.int16)
     for number, layer in enumerate(layers, start=1):
         numbers[layer.image & (numbers == 0)] = number
+    for number, layer in enumerate(layers, start=1):
+        if layer.depth >= settings.layers.bay_m:
+            # What is seen in the windows of a bay may be as deep as the main wall.
+            inside = beyond(ndimage.binary_closing(layer.image, np.ones((3, 3)))).all(axis=0)
+            numbers[inside & (numbers == 1)] = number
     nearest = ndimage.distance_transform_edt(numbers == 0, return_distances=False, return_indices=True)
     return numbers[tuple(nearest)] - 1

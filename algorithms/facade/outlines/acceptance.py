@@ -26,15 +26,28 @@ def is_opening(
     """
     left, bottom, right, top = outline.polygon.bounds
     shallow = opening.depth > -settings.damage_m
-    if shallow and min(right - left, top - bottom) < settings.narrow_m:
+    narrow = settings.narrow_m * (2 if outline.shape == FREE else 1)
+    if shallow and min(right - left, top - bottom) < narrow:
         return False
-    if outline.shape == FREE:
-        whole = outline.polygon.area >= settings.solid * outline.polygon.convex_hull.area
-        return bool(whole and len(border.seen) and border.seen.mean() >= settings.seen)
     measured = _measured(outline)
+    if outline.shape == FREE:
+        return _is_hole(opening, border, outline, settings) and len(measured) >= settings.measured
     # Where a door stands on the ground, the wall cannot bound it.
     bounded = measured | ({"bottom"} & set(opening.open_sides))
+    if math.isnan(opening.depth) and len(bounded) < len(vars(outline.edges)):
+        # Nothing was seen behind the wall, so it may be a part of it that was not scanned.
+        return False
+    if not measured & {"top", "bottom"} and top - bottom < settings.lowest_gap_m:
+        return False
     return len(measured) >= settings.measured and len(bounded) >= settings.bounded
+
+
+def _is_hole(opening: Opening, border: Border, outline: Outline, settings: AcceptanceSettings) -> bool:
+    """Whether a free shape is bounded by the wall, and something was seen behind it."""
+    if math.isnan(opening.depth) or set(opening.open_sides) - {"bottom"} or not len(border.seen):
+        return False
+    whole = outline.polygon.area >= settings.solid * outline.polygon.convex_hull.area
+    return bool(whole and border.seen.mean() >= settings.seen)
 
 
 def is_regular(outline: Outline, settings: AcceptanceSettings = AcceptanceSettings()) -> bool:

@@ -116,7 +116,7 @@ def _opening_border(
     around: tuple[np.ndarray, np.ndarray],
     settings: FacadeSettings,
 ) -> Border:
-    limits, spacing = settings.outlines.border, states.spacing
+    limits, spacing = settings.outlines.border, _spacing_around(opening, states)
     margin = limits.margin_spacings * spacing
     bounds = opening.polygon.bounds
     core = _core(opening, states)
@@ -130,12 +130,17 @@ def _opening_border(
     foot = scene.uvw[scene.near(bounds, margin, around[1])]
     foot = foot[np.abs(foot[:, 2]) <= limits.mixed_depth_m] * (1, 1, 0)
     outside = np.concatenate([wall, foot])
-    reach = limits.reach_pixels * states.grid.size
+    reach = limits.reach_spacings * max(spacing, states.grid.size / settings.openings.states.pixel_spacings)
     border = trace_border(
         np.empty((0, 3)), outside, states.grid.centres(core), 0.01, margin, Lost(mixed[:, :2], spacing**2),
         limits, reach,
     )  # fmt: skip
     return replace(border, jambs=jamb[:, :2])
+
+
+def _spacing_around(opening: Opening, states: States) -> float:
+    """Return the spacing of the points of the wall around an opening (m)."""
+    return float(np.median(states.spacings[opening.region.box]))
 
 
 def _core(opening: Opening, states: States) -> np.ndarray:

@@ -21,8 +21,8 @@ class BorderSettings:
     noise_sigmas: float = statistical(
         4.0, "Points further off a surface, in its standard deviations, belong to a jamb or are mixed."
     )
-    reach_pixels: float = judged(
-        3.5, "Where the wall is farther from a hole than this, its edge was not seen, but something hides it."
+    reach_spacings: float = judged(
+        5.0, "Where the wall is farther from a hole than this, its edge was not seen, but something hides it."
     )
     beside_m: float = physical(
         0.3, "What projects by less is a surround or a sill, on which an edge may lie."
@@ -118,10 +118,14 @@ class AcceptanceSettings:
     bounded: int = judged(3, "Sides that were measured, or are the ground.")
     damage_m: float = physical(0.12, "Weathered stones and lost joints are hardly deeper.")
     narrow_m: float = physical(
-        0.3, "Shallow holes that are narrower are damage; panels and niches are wider."
+        0.3,
+        "Shallow holes that are narrower are damage, free shapes even up to twice this; panels are wider.",
+    )
+    lowest_gap_m: float = physical(
+        1.6, "Without head and sill a hole is a gap, unless it is as high as a door."
     )
     solid: float = judged(0.85, "A free shape fills this part of its convex hull; shadows are ragged.")
-    seen: float = judged(0.8, "The wall bounds this part of a free shape.")
+    seen: float = judged(0.9, "The wall bounds this part of a free shape.")
 
 
 @dataclass(frozen=True)

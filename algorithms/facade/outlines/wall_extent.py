@@ -1,5 +1,6 @@
 """The whole wall: the parts that were seen, those behind projections and shadows, without its holes."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from shapely.geometry import Polygon
@@ -34,6 +35,7 @@ def complete(
     deepest: float,
     smallest: float,
     settings: WallSettings = WallSettings(),
+    parts: Sequence[Polygon] = (),
 ) -> WholeWall:
     """Return the whole wall.
 
@@ -47,11 +49,14 @@ def complete(
     smallest : float
         Area of the smallest part (m2).
     settings : WallSettings
+    parts : sequence of Polygon
+        Of the facade, before or behind its main wall.
     """
     smooth = settings.smooth_spacings * wall.spacing
     before = unary_union([made_valid(outline) for outline in outlines.get(PROJECTION, [])])
     shells = [Polygon(part.exterior) for part in wall.outline.geoms if part.area >= smallest]
-    seen = unary_union([made_valid(part.simplify(smooth)) for part in shells] + [before])
+    others = [made_valid(part) for part in parts if part.area >= smallest]
+    seen = unary_union([*(made_valid(part.simplify(smooth)) for part in shells), before, *others])
     holed = [
         made_valid(outline)
         for kind, own in outlines.items()
@@ -62,7 +67,7 @@ def complete(
         made_valid(Polygon(ring).simplify(smooth)) for part in wall.outline.geoms for ring in part.interiors
     ]
     hidden += _strips(seen, before, deepest, wall.spacing, settings)
-    unseen = unary_union(hidden).difference(unary_union([before, *holed]))
+    unseen = unary_union(hidden).difference(unary_union([before, *others, *holed]))
     # Slivers beside a projection are narrower than what was seen around them.
     unseen = unseen.buffer(-wall.spacing, join_style=2).buffer(wall.spacing, join_style=2)
     large = tuple(part for part in parts_of(unseen) if part.area >= smallest)

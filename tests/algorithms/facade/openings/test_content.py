@@ -31,7 +31,7 @@ def test_a_hole_with_jambs_and_nothing_else_is_an_opening():
 
 def test_a_door_stands_on_the_ground_and_a_passage_has_nothing_in_it():
     door = opening_of(wall(GATE), pane((1.0, 0.0, 2.2, 2.1), -0.3))
-    passage = opening_of(wall(GATE), pane((1.0, 0.0, 2.2, 2.1), -2.5))
+    passage = opening_of(wall(GATE), pane((1.0, 0.0, 2.2, 2.1), -2.5), reveal(GATE))
 
     assert (door.kind, door.use) == (RECESS, DOOR)
     assert (passage.kind, passage.use) == (OPENING, PASSAGE)

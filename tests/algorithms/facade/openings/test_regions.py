@@ -37,6 +37,10 @@ def test_what_a_sign_in_front_hides_is_not_an_opening():
     assert boxes(wall(WINDOW), pane(WINDOW, 0.2)) == []
 
 
+def test_a_room_seen_where_a_canopy_hides_the_wall_is_not_an_opening():
+    assert boxes(wall(WINDOW), pane(WINDOW, -1.5)) == []
+
+
 def test_a_part_without_any_points_is_not_an_opening():
     assert boxes(wall(WINDOW)) == []
 

@@ -4,7 +4,7 @@ import numpy as np
 from ichnograph.algorithms.facade.openings.states import BEHIND, EMPTY, FRONT, INNER, WALL
 from ichnograph.algorithms.facade.planes.inner_face import Face
 from ichnograph.tests.algorithms.facade.openings.scenes import STEP, WINDOW, pane, states_of, wall
-from ichnograph.tests.algorithms.facade.samples import at, lattice
+from ichnograph.tests.algorithms.facade.samples import at, lattice, without
 
 GLASS, CAR = (3.0, 1.2, 4.0, 2.4), (4.5, 0.0, 5.5, 1.0)
 
@@ -35,13 +35,23 @@ def test_the_inner_face_of_a_wall_is_not_seen_through_a_hole():
     assert state_at(states, 3.5, 1.5) == INNER
 
 
-def test_the_spacing_is_that_of_the_thinly_scanned_part():
-    dense = at(lattice(0, 0, 3, 4, STEP / 3))
-    states = states_of(np.concatenate([wall(left=3.0), dense]))
-
-    assert 0.9 * STEP < states.spacing < 1.1 * STEP
-
-
 def test_points_far_behind_and_far_in_front_show_nothing():
     states = states_of(wall(WINDOW), pane(WINDOW, -9.0), pane(WINDOW, 7.0))
     assert state_at(states, 1.5, 1.8) == EMPTY
+
+
+def test_a_room_as_deep_as_the_main_wall_is_seen_behind_the_window_of_a_bay():
+    bay, window = (2.0, 0.5, 4.0, 3.5), (2.6, 1.2, 3.4, 2.6)
+    front = at(without(lattice(*bay, STEP), *window), 0.6)
+    states = states_of(wall(bay), front, pane(window, 0.0)[::3])
+
+    assert state_at(states, 3.0, 1.9) in (BEHIND, EMPTY)
+    assert BEHIND in states.image[states.grid.holds(states.grid.cells(pane(window)[:, :2]))]
+
+
+def test_the_wall_between_pilasters_is_wall():
+    frame, panel = (2.0, 0.5, 4.0, 3.5), (2.3, 0.8, 3.7, 3.2)
+    pilasters = at(without(lattice(*frame, STEP), *panel), 0.1)
+    states = states_of(np.concatenate([wall(frame), pane(panel, 0.0)]), pilasters)
+
+    assert state_at(states, 3.0, 1.9) == WALL

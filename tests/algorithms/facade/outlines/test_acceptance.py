@@ -32,8 +32,21 @@ def test_three_sides_are_enough(hidden, accepted):
 
 def test_the_ground_is_a_side_of_a_door():
     door = replace(HOLE, open_sides=("bottom",))
-    assert is_opening(door, BORDER, outline(bottom=NOT, top=NOT))
-    assert not is_opening(replace(HOLE, open_sides=("top",)), BORDER, outline(bottom=NOT, top=NOT))
+    high = outline(bottom=NOT, top=NOT, polygon=box(0, 0, 1, 2))
+    assert is_opening(door, BORDER, high)
+    assert not is_opening(replace(HOLE, open_sides=("top",)), BORDER, high)
+
+
+def test_a_low_hole_without_head_and_sill_is_a_gap_between_things_on_the_ground():
+    low = outline(bottom=NOT, top=NOT, polygon=box(0, 0, 1, 0.6))
+    assert not is_opening(replace(HOLE, open_sides=("bottom",)), BORDER, low)
+
+
+def test_where_nothing_was_seen_behind_the_wall_all_sides_must_be_measured():
+    empty = replace(HOLE, depth=NOT)
+    assert is_opening(empty, BORDER, outline())
+    assert not is_opening(empty, BORDER, outline(top=NOT))
+    assert not is_opening(empty, BORDER, outline(shape=FREE))
 
 
 def test_shallow_small_holes_are_damage():
@@ -50,6 +63,10 @@ def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():
     assert is_opening(HOLE, BORDER, gable)
     assert not is_opening(HOLE, BORDER, ragged)
     assert not is_opening(HOLE, replace(BORDER, seen=np.arange(10) < 5), gable)
+    assert not is_opening(replace(HOLE, open_sides=("left",)), BORDER, gable)
+    assert not is_opening(
+        replace(HOLE, depth=-0.06), BORDER, outline(polygon=box(0, 0, 0.5, 0.5), shape=FREE)
+    )
 
 
 def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():

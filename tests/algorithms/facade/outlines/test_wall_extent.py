@@ -53,6 +53,14 @@ def test_a_strip_beside_a_projection_that_hides_it_is_unseen():
     assert unseen.symmetric_difference(strip).area < 0.1
 
 
+def test_a_storey_that_is_set_back_belongs_to_the_wall():
+    storey, window = box(0, 2, 3, 3), box(1, 2.2, 2, 2.8)
+    whole = complete(wall_of(HOLE), {OPENING: [box(*HOLE), window]}, 0.0, SMALLEST, parts=[storey])
+
+    assert whole.unseen == ()
+    assert whole.face.area == pytest.approx(9 - box(*HOLE).area - window.area, abs=0.06)
+
+
 def test_parts_without_an_area_are_left_out():
     assert parts_of(MultiPolygon([box(0, 0, 1, 1), box(2, 0, 3, 1)])) == [box(0, 0, 1, 1), box(2, 0, 3, 1)]
     assert parts_of(box(0, 0, 1, 1).intersection(box(1, 0, 2, 1))) == []
