@@ -11,6 +11,9 @@ from .outlines.settings import OutlineSettings
 from .output.settings import OrthoimageSettings
 from .planes.settings import PlaneSettings
 
+CLEAR_REGIONS, ALL_REGIONS, NO_REGIONS = range(3)
+"""Values of COLOURED: regular regions with a clear step of colour; all regions, as in the paper; none."""
+
 
 @dataclass(frozen=True)
 class ExtentSettings:
@@ -71,6 +74,8 @@ class FacadeSettings:
     side : int
         SIDE: 0 if it is found from the points; 1 if the facade faces the eastern half of the horizon, 2 if
         it faces the western one.
+    coloured : int
+        COLOURED: `CLEAR_REGIONS`, `ALL_REGIONS` or `NO_REGIONS`.
     row_m : float
         Details are numbered from above in rows of this height.
     """
@@ -94,6 +99,7 @@ class FacadeSettings:
     min_area_m2: Optional[float] = None
     regularise: bool = True
     side: int = 0
+    coloured: int = CLEAR_REGIONS
     row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
     thinning: ThinningSettings = field(default_factory=ThinningSettings)
     buildings: BuildingSettings = field(default_factory=BuildingSettings)

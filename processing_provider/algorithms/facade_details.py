@@ -81,6 +81,15 @@ class FacadeDetailsAlgorithm(Algorithm):
             "DXF file in metres, with a layer for each kind; needs the package ezdxf.",
             optional=True,
         ),
+        PolygonDestination(
+            "LEFT_OUT",
+            "Left out",
+            "Polygons in u, v, with reason and area: holes of the wall, regions of another colour and "
+            "surfaces that are not drawn.",
+            style="facade_left_out",
+            optional=True,
+            by_default=False,
+        ),
         HtmlDestination(
             "REPORT",
             "Report of the facade",
@@ -96,9 +105,14 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Measure the facade."""
+        from ...algorithms.facade.left_out import summary
         from ...algorithms.facade.measurement import measure_facade
         from ...algorithms.facade.output.drawing import write_drawing
-        from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
+        from ...algorithms.facade.output.elevation_layers import (
+            write_details,
+            write_elevation,
+            write_left_out,
+        )
         from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
         from ...algorithms.facade.output.schedule import write_schedule
         from ...algorithms.facade.points import read_points
@@ -116,16 +130,8 @@ class FacadeDetailsAlgorithm(Algorithm):
         elevation = measure_facade(points, settings, log.progress.part(0.35, 0.95), selection.plane)
         log.warn(elevation.warnings)
         pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
-        if elevation.left_out:
-            log.info(
-                f"Holes of the wall of {elevation.left_out:.2f} m² in all are left out, because too few "
-                "straight sides of them were seen."
-            )
-        if elevation.stains:
-            log.info(
-                f"{elevation.stains} regions of another colour are left out, because they have no straight "
-                "sides; REGULARISE=no keeps them."
-            )
+        for kind, reason, count, area in summary(elevation.left_out):
+            log.info(f"Left out: {count} of kind {kind}, {area:.2f} m² in all: {reason}.")
         for part in elevation.parts[1:]:
             log.info(f"A part of {part.area:.1f} m² lies {part.depth:+.2f} m from the main wall.")
         log.info(f"Details: {len(elevation.details)}; pixels of the orthoimage: {pixel_size:g} m.")
@@ -138,6 +144,7 @@ class FacadeDetailsAlgorithm(Algorithm):
             {
                 **writers,
                 "ELEVATION": lambda path: write_elevation(path, elevation),
+                "LEFT_OUT": lambda path: write_left_out(path, elevation),
                 "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
                 "ORTHOIMAGE": lambda path: write_orthoimage(
                     path, points, elevation, pixel_size, values["FILL_HOLES"], settings.orthoimage

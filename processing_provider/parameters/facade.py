@@ -182,6 +182,17 @@ REGULARISE = Flag(
     default=True,
 )
 
+COLOURED = Choice(
+    "COLOURED",
+    "Coloured details",
+    "Which regions of another colour become details. Those with a clear step: they are regular, and their "
+    "colour changes sharply along the border, which the intensity confirms if there is one; stains, joints, "
+    "shadows and lamplight are left out, and LEFT_OUT shows them. All regions: the chain of the paper, "
+    "together with REGULARISE off. None: faster.",
+    options=("Those with a clear step", "All regions", "None"),
+    optional=True,
+)
+
 PIXEL_SIZE = Number(
     "PIXEL_SIZE",
     "Pixel size of the orthoimage",
@@ -214,5 +225,6 @@ SETTINGS = {
     "alpha_m": ALPHA,
     "min_area_m2": MIN_AREA,
     "regularise": REGULARISE,
+    "coloured": COLOURED,
 }
 """The parameters by the names of their settings in the core."""
