@@ -1,5 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
+from .map_layers import DrawnShapes
 from .parameter import Choice, Flag, Number, Place
 
 DISTANCE = Number(
@@ -31,6 +32,15 @@ FACADE_NEAR = Place(
     "FACADE_NEAR",
     "Point near the facade",
     "Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.",
+)
+
+FACADE_ALONG = DrawnShapes(
+    "FACADE_ALONG",
+    "Lines or walls along the facade",
+    "Measures the facade along a line that is drawn near to it, or along a wall of a plan, for example of "
+    "siteplan, in the coordinates of the cloud. Of several, selected features only if you choose so, the "
+    "facade that the most runs along. A folder of every facade then has those along the lines: a polygon of "
+    "a building chooses its facades among those of a street. FACADE and FACADE_NEAR choose among all.",
 )
 
 SIDE = Choice(

@@ -82,10 +82,10 @@ CONTRACT = {
     ),
     "facadedetails": (
         {"INPUT", "CRS", "SIDE", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"}
-        | {"FACADE_NEAR", "COLOURED"}
+        | {"FACADE_NEAR", "FACADE_ALONG", "COLOURED", "ALL"}
         | {*FACADE}
         | FACADE_FILES,
-        {"DETAIL_COUNT", "FACADE_COUNT", "WALL_AREA", "SCHEDULE_PAGE"} | FACADE_FILES,
+        {"DETAIL_COUNT", "FACADE_COUNT", "WALL_AREA", "SCHEDULE_PAGE", "ALL", "ALL_FILES"} | FACADE_FILES,
     ),
     "comparelengths": (
         {"SCHEDULE", "REFERENCE", "TABLE", "REPORT"},

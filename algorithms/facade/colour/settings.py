@@ -81,8 +81,9 @@ class StepSettings:
     sharper: float = judged(
         1.5, "A step exceeds the changes on both sides of it by this factor; a gradient has no step."
     )
+    around_m: float = judged(1.0, "The wall up to this far around shows how much its colours vary.")
     texture_sigmas: float = statistical(
-        3.0, "It exceeds the standard deviation of the colours around by this factor."
+        3.0, "A step exceeds the standard deviation of these colours by this factor."
     )
     share: float = judged(0.7, "A detail has a clear step along this part of its border.")
     confirmed: float = judged(0.6, "Along this part of the border the intensity changes by f or more.")

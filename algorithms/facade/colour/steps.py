@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 from shapely.geometry import Polygon
 
-from ...geometry.robust import sigma_of_residuals
+from ...geometry.robust import sigma_about_median
 from ..outlines.surface import within
 from .appearance import Appearance
 from .settings import StepSettings
@@ -60,8 +60,8 @@ def reason_against_colour(
     """Return why a region of another colour is no detail of the facade; None if it is one.
 
     Along most of the border of a detail, the colour changes from one side to the other by a clear step,
-    which is larger than the changes beside the border and those of the wall around. The intensity, where it
-    is known, changes there too.
+    which is larger than the changes beside the border. The intensity, where it is known, changes there too.
+    The step exceeds the differences on the wall around, in intensity if it is known, since shadows have none.
 
     Parameters
     ----------
@@ -92,20 +92,32 @@ def reason_against_colour(
     clear = (seen.steps >= colour) & (seen.steps >= settings.sharper * farther * seen.slopes)
     if clear.mean() < settings.share:
         return SOFT
-    texture = sigma_of_residuals(seen.outer - np.median(seen.outer, axis=0))
-    texture *= np.sqrt(seen.outer.shape[1])
-    if float(np.median(seen.steps)) < settings.texture_sigmas * texture:
-        return WEATHERED
-    if looks.relative is None:
-        return None
-    felt = _medians(looks.relative[near, None].astype(float), stations, distances, spacing, settings)
-    confirmed = np.mean(felt.steps >= looks.threshold) if len(felt.steps) else 0.0
-    return None if confirmed >= settings.confirmed else UNCONFIRMED
+    decisive, values = seen, looks.rgb
+    if looks.relative is not None:
+        values = looks.relative[:, None]
+        decisive = _medians(values[near].astype(float), stations, distances, spacing, settings)
+        if np.mean(decisive.steps >= looks.threshold) < settings.confirmed:
+            return UNCONFIRMED
+    texture = _texture(points, values, outline, spacing, settings)
+    return WEATHERED if np.median(decisive.steps) < settings.texture_sigmas * texture else None
 
 
 def _width(outline: Polygon) -> float:
     """Return the width of a shape, which is twice its area over its perimeter if it is long (m)."""
     return float(2 * outline.area / max(outline.length, 1e-9))
+
+
+def _texture(
+    points: np.ndarray, values: np.ndarray, outline: Polygon, spacing: float, settings: StepSettings
+) -> float:
+    """Return the standard deviation of values around a region, over squares as long as a station."""
+    left, bottom, right, top = outline.buffer(settings.around_m).bounds
+    near = np.flatnonzero(((points > (left, bottom)) & (points < (right, top))).all(axis=1))
+    near = near[~within(outline.buffer(settings.near_spacings * spacing), points[near])]
+    squares = np.floor(points[near] / (settings.station_spacings * spacing)).astype(np.int64)
+    _, of_point, counts = np.unique(squares, axis=0, return_inverse=True, return_counts=True)
+    means = [np.bincount(of_point.reshape(-1), channel) / counts for channel in values[near].T]
+    return float(np.linalg.norm([sigma_about_median(channel) for channel in means]))
 
 
 def _positions(

@@ -12,6 +12,7 @@ from ichnograph.algorithms.facade.colour.steps import (
 )
 from ichnograph.tests.algorithms.facade.colour.panel import (
     POINTS,
+    SHADE,
     STEP,
     WHITE,
     painted,
@@ -49,7 +50,14 @@ def test_a_stain_that_is_sharp_on_one_side_only_is_none():
 def test_a_stone_among_stones_of_all_colours_is_none():
     stones = np.floor(POINTS / (0.3, 0.2)).astype(int)
     values = np.random.default_rng(4).uniform(0.5, 1.0, (12, 12))[stones[:, 0], stones[:, 1]]
+    relative = values.astype(np.float32)
     assert reason(WHITE * values[:, None], outline=box(1.2, 0.6, 1.5, 0.8)) == WEATHERED
+    assert reason(WHITE * values[:, None], relative, box(1.2, 0.6, 1.5, 0.8)) == WEATHERED
+
+
+def test_a_panel_in_a_cast_shadow_is_a_detail_where_the_intensity_shows_it():
+    shaded = painted() * np.where(SHADE, 0.4, 1.0)[:, None]
+    assert reason(shaded, reflecting()) is None
 
 
 def test_a_shadow_has_no_edge_in_the_intensity():
