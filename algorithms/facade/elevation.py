@@ -229,11 +229,13 @@ class Detail:
     head : str or None
         flat, sloped, segmental, round or pointed; None of a circle and of a free shape.
     use : str or None
-        Of an opening or a recess: window, door or passage.
+        Of an opening or a recess: window, door, passage or niche.
     open_sides : tuple of str
         left, right, bottom, top: where no wall bounds an opening.
     layer : float
         How far the wall around it is in front of the main wall; negative behind (m).
+    completed : tuple of str
+        Edges that were not seen, and are where the openings of the same row have theirs.
     """
 
     number: int
@@ -251,6 +253,7 @@ class Detail:
     use: Optional[str] = None
     open_sides: tuple[str, ...] = ()
     layer: float = 0.0
+    completed: tuple[str, ...] = ()
 
     @property
     def measured(self) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
+from .completion import complete_edges
 from .elevation import (
     PROJECTION,
     Detail,
@@ -27,6 +28,7 @@ from .elevation import (
 )
 from .left_out import reason_against, surfaces_left_out
 from .openings.content import Opening, fill_regions
+from .openings.niches import with_niches
 from .openings.regions import find_regions
 from .openings.states import States, make_states
 from .outlines.details import (
@@ -83,6 +85,7 @@ def measure_facade(
         scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
     )
     openings = fill_regions(states, find_regions(states, settings.openings), settings.openings.content)
+    openings = with_niches(states, openings, points, settings.openings.niches)
     progress.update(0.3, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(
@@ -179,6 +182,7 @@ def _elevation(
     every = [(item, _outline(item, settings)) for item in large]
     reasons = [reason_against(item, outline, wall, looks, settings) for item, outline in every]
     made = [pair for pair, reason in zip(every, reasons) if reason is None]
+    made = complete_edges(made, settings.completion)
     left_out = [
         *surfaces,
         *(
@@ -290,6 +294,7 @@ def _detail(
         head=outline.head,
         use=None if item.opening is None else item.opening.use,
         open_sides=() if item.opening is None else item.opening.open_sides,
+        completed=outline.completed,
         layer=0.0 if item.opening is None else states.layers[item.opening.layer].depth,
     )
 

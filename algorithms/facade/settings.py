@@ -40,6 +40,17 @@ class ThinningSettings:
 
 
 @dataclass(frozen=True)
+class CompletionSettings:
+    """Edges that are completed by the openings of the same row."""
+
+    fewest: int = judged(2, "Openings that agree; one alone may be another kind of window.")
+    alike_m: float = physical(0.03, "Windows of one kind differ by less in old buildings.")
+    farthest_m: float = physical(
+        0.25, "An edge that was not seen is this near to where the hole ends: a sill hides less."
+    )
+
+
+@dataclass(frozen=True)
 class FacadeSettings:
     """How the details of a facade are found.
 
@@ -107,6 +118,7 @@ class FacadeSettings:
     openings: OpeningSettings = field(default_factory=OpeningSettings)
     colour: ColourSettings = field(default_factory=ColourSettings)
     outlines: OutlineSettings = field(default_factory=OutlineSettings)
+    completion: CompletionSettings = field(default_factory=CompletionSettings)
     orthoimage: OrthoimageSettings = field(default_factory=OrthoimageSettings)
 
     @property

@@ -126,6 +126,7 @@ def _detail_row(detail: Detail) -> tuple[str, ...]:
         number(detail.sill, 2),
         number(detail.depth, 2),
         ", ".join(detail.measured),
+        ", ".join(detail.completed),
     )
 
 

@@ -30,7 +30,8 @@ OWN = ("width", "height", "sill", "area", "width_std", "height_std", "depth")
 """Numbers that a detail has by the same name."""
 
 COLUMNS = (
-    "id", "kind", "shape", *DECIMALS, "use", "head", "measured", "open_side", "points", *FRAME_FIELDS,
+    "id", "kind", "shape", *DECIMALS, "use", "head", "measured", "completed", "open_side", "points",
+    *FRAME_FIELDS,
 )  # fmt: skip
 
 
@@ -76,6 +77,7 @@ def _rows(elevation: Elevation) -> list[dict[str, Any]]:
             "use": detail.use,
             "head": detail.head,
             "measured": " ".join(detail.measured),
+            "completed": " ".join(detail.completed),
             "open_side": " ".join(detail.open_sides),
             "u": detail.outline.centroid.x,
             "v": detail.outline.centroid.y,
