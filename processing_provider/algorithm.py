@@ -235,14 +235,14 @@ def _write(
 ) -> dict[Path, Optional[str]]:
     """Write all files with their styles, or none of them; return the styles of the layers by path."""
     styles: dict[Path, Optional[str]] = {path: None for output, path in files.items() if output.is_layer}
-    # Layers whose names differ only in the extension would share one style file.
-    stems = [path.with_suffix("") for output, path in files.items() if output.style]
     read = {Path(source).resolve() for source in sources}
     jobs = [
         (output, path, write)
         for output, target in files.items()
         for path, write in output.files(target, outcome.writers[output.name]).items()
     ]
+    # Layers whose names differ only in the extension would share one style file.
+    stems = [path.with_suffix("") for output, path, _ in jobs if output.style_of(path)]
     for output, path, _ in jobs:
         if path.resolve() in read:
             raise InputError(f"{output.name}: {path} is an input as well; choose another folder.")
@@ -261,8 +261,9 @@ def _write(
                     # Name the file that the user chose, not the temporary one.
                     raise type(error)(str(error).replace(str(temporary), str(path))) from error
                 output.revise(temporary, labels)
-                if output.style:
-                    style = style_of(output.style, temporary, outcome.styles.get(output.name, {}))
+                named = output.style_of(path)
+                if named:
+                    style = style_of(named, temporary, outcome.styles.get(output.name, {}))
                     styles[path] = style
                     if _is_ours(path.with_suffix(".qml")) and stems.count(path.with_suffix("")) == 1:
                         temporary.with_suffix(".qml").write_text(style, encoding="utf-8")

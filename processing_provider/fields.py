@@ -39,6 +39,7 @@ ALIASES = {
     "shape": "Shape",
     "head": "Head",
     "measured": "Measured sides",
+    "completed": "Completed sides",
     "open_side": "Open sides",
     "wall_depth": "Depth of the wall (m)",
     "width": "Width (m)",

@@ -1,7 +1,7 @@
 """The results of the facade chapter and of its steps. Lengths are in metres, angles in degrees."""
 
 from dataclasses import dataclass, field, replace
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from shapely.geometry import MultiPolygon, Polygon
@@ -32,6 +32,27 @@ class WallPart:
     """
 
     depth: float
+    area: float
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A region that is not drawn.
+
+    Attributes
+    ----------
+    shape : Polygon or MultiPolygon
+        In u, v.
+    kind : str
+        One of `KINDS`, which it was thought to be, or surface.
+    reason : str
+    area : float
+        Of the region; of an oblique surface in its own plane (m2).
+    """
+
+    shape: Union[Polygon, MultiPolygon]
+    kind: str
+    reason: str
     area: float
 
 
@@ -208,11 +229,13 @@ class Detail:
     head : str or None
         flat, sloped, segmental, round or pointed; None of a circle and of a free shape.
     use : str or None
-        Of an opening or a recess: window, door or passage.
+        Of an opening or a recess: window, door, passage or niche.
     open_sides : tuple of str
         left, right, bottom, top: where no wall bounds an opening.
     layer : float
         How far the wall around it is in front of the main wall; negative behind (m).
+    completed : tuple of str
+        Edges that were not seen, and are where the openings of the same row have theirs.
     """
 
     number: int
@@ -230,6 +253,7 @@ class Detail:
     use: Optional[str] = None
     open_sides: tuple[str, ...] = ()
     layer: float = 0.0
+    completed: tuple[str, ...] = ()
 
     @property
     def measured(self) -> tuple[str, ...]:
@@ -290,10 +314,8 @@ class Elevation:
         The points of the facade and close behind it, without those of objects in front of it.
     warnings : tuple of str
         What the user should know, in sentences.
-    left_out : float
-        Area of the holes of the wall that are not openings, because too few straight sides were seen (m2).
-    stains : int
-        Number of regions of another colour that are not details, because they have no straight sides.
+    left_out : tuple of LeftOut
+        Holes of the wall, regions of another colour, and surfaces that are not drawn, the largest first.
     side : Side, optional
         From which the facade is seen, how sure that is, and why.
     parts : tuple of WallPart
@@ -307,7 +329,6 @@ class Elevation:
     spacing: float
     rows: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: tuple[str, ...] = ()
-    left_out: float = 0.0
-    stains: int = 0
+    left_out: tuple[LeftOut, ...] = ()
     side: Optional[Side] = None
     parts: tuple[WallPart, ...] = ()

@@ -13,24 +13,26 @@ from ..progress import Progress
 from .colour.appearance import Appearance
 from .colour.coloured_details import Coloured, find_coloured
 from .colour.intensity_scale import make_relative
+from .completion import complete_edges
 from .elevation import (
-    COLOURED,
     PROJECTION,
     Detail,
     Elevation,
     Frame,
+    LeftOut,
     Plane,
     Points,
     Segmentation,
     WallPart,
     frame_of,
 )
-from .openings.content import fill_regions
+from .left_out import reason_against, surfaces_left_out
+from .openings.content import Opening, fill_regions
 from .openings.floors import divide_at_floors
+from .openings.niches import with_niches
 from .openings.parts import part_outlines
 from .openings.regions import find_regions
 from .openings.states import States, make_states
-from .outlines.acceptance import is_opening, is_regular
 from .outlines.details import (
     Scene,
     TracedDetail,
@@ -44,10 +46,13 @@ from .outlines.surface import Surface, make_surface
 from .outlines.wall_extent import complete, parts_of
 from .planes.segmentation import find_planes
 from .planes.side import EAST, WEST, Side
-from .settings import FacadeSettings
+from .settings import NO_REGIONS, FacadeSettings
 
 MILLIMETRES = 3
 """Decimals of the position of u, v = 0, 0 on the wall."""
+
+SQUARES = 3.0
+"""Side of the squares in which points of surfaces that are not drawn are averaged, in spacings."""
 
 
 def measure_facade(
@@ -83,6 +88,7 @@ def measure_facade(
     )
     regions = divide_at_floors(find_regions(states, settings.openings), states, settings.openings.floors)
     openings = fill_regions(states, regions, settings.openings.content)
+    openings = with_niches(states, openings, points, settings.openings.niches)
     progress.update(0.3, "Triangulating the wall")
     wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
     progress.update(
@@ -93,11 +99,19 @@ def measure_facade(
     traced = [*opening_details(scene, states, openings, settings)]
     empty = stand_ins(openings, wall.spacing)
     traced += coloured_details(scene, wall, coloured, empty, settings)
-    for label in _projections(segmentation, settings):
+    projections = _projections(segmentation, settings)
+    for label in projections:
         surface = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == label), settings)
         traced += projecting_details(scene, label, surface, empty, settings)
     progress.update(0.85, "Making outlines")
-    return _elevation(points, scene, frame, wall, segmentation.side, states, traced, settings)
+    explained = _explained(states, openings)
+    surfaces = surfaces_left_out(
+        points, segmentation, projections, explained, frame, SQUARES * wall.spacing, settings.distance_m
+    )
+    looks = coloured.looks
+    return _elevation(
+        points, scene, frame, wall, segmentation.side, states, traced, looks, tuple(surfaces), settings
+    )
 
 
 def _facing(frame: Frame, side: Side) -> str:
@@ -110,7 +124,7 @@ def _facing(frame: Frame, side: Side) -> str:
 
 def _coloured(points: Points, wall: Surface, settings: FacadeSettings, progress: Progress) -> Coloured:
     """Return the coloured regions of the wall; without colour there is one."""
-    if points.rgb is None:
+    if points.rgb is None or settings.coloured == NO_REGIONS:
         return Coloured(np.zeros(len(wall.rows), np.int32), None, 1, 1, np.nan)
     looks = _appearance(points, points.rgb[wall.rows], wall, settings, progress)
     coloured = find_coloured(wall.mesh, wall.linked, wall.sizes, looks, settings)
@@ -163,14 +177,23 @@ def _elevation(
     side: Side,
     states: States,
     traced: list[TracedDetail],
+    looks: Optional[Appearance],
+    surfaces: tuple[LeftOut, ...],
     settings: FacadeSettings,
 ) -> Elevation:
     large = [item for item in traced if _area(item) >= settings.smallest_m2]
     every = [(item, _outline(item, settings)) for item in large]
-    made = [(item, outline) for item, outline in every if _is_accepted(item, outline, settings)]
-    left_out = sum(item.opening.polygon.area for item, _ in every if item.opening) - sum(
-        item.opening.polygon.area for item, _ in made if item.opening
-    )
+    reasons = [reason_against(item, outline, wall, looks, settings) for item, outline in every]
+    made = [pair for pair, reason in zip(every, reasons) if reason is None]
+    made = complete_edges(made, settings.completion)
+    left_out = [
+        *surfaces,
+        *(
+            LeftOut(outline.polygon, item.kind, reason, _area(item))
+            for (item, outline), reason in zip(every, reasons)
+            if reason is not None
+        ),
+    ]
     outlines: dict[str, list[Polygon]] = {}
     for item, outline in made:
         outlines.setdefault(item.kind, []).append(outline.polygon)
@@ -198,13 +221,23 @@ def _elevation(
         wall.spacing,
         _shown(scene, settings),
         (*_doubts(side, frame, settings), *_limits(points)),
-        left_out,
-        sum(item.kind == COLOURED for item, _ in every) - sum(item.kind == COLOURED for item, _ in made),
+        tuple(
+            replace(item, shape=translate(item.shape, -left, -bottom))
+            for item in sorted(left_out, key=lambda item: -item.area)
+        ),
         side,
         tuple(
             WallPart(layer.depth, float(layer.image.sum()) * states.grid.size**2) for layer in states.layers
         ),
     )
+
+
+def _explained(states: States, openings: list[Opening]) -> np.ndarray:
+    """Return which points lie on the wall or in an opening."""
+    explained = states.on_wall.copy()
+    for opening in openings:
+        explained[opening.inside] = True
+    return explained
 
 
 def _area(item: TracedDetail) -> float:
@@ -214,14 +247,6 @@ def _area(item: TracedDetail) -> float:
 def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
     region = None if item.opening is None else item.opening.polygon
     return make_outline(item.border, settings.regularise, settings.outlines, region)
-
-
-def _is_accepted(item: TracedDetail, outline: Outline, settings: FacadeSettings) -> bool:
-    if item.kind == COLOURED and settings.regularise:
-        return is_regular(outline, settings.outlines.acceptance)
-    if item.opening is None:
-        return True
-    return is_opening(item.opening, item.border, outline, settings.outlines.acceptance)
 
 
 def _rank(detail: Detail, row: float) -> tuple[float, float, str]:
@@ -273,6 +298,7 @@ def _detail(
         head=outline.head,
         use=None if item.opening is None else item.opening.use,
         open_sides=() if item.opening is None else item.opening.open_sides,
+        completed=outline.completed,
         layer=0.0 if item.opening is None else states.layers[item.opening.layer].depth,
     )
 

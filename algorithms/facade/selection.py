@@ -1,13 +1,15 @@
 """The facade of a cloud that is measured, with what stands around it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
+from shapely.affinity import translate
+from shapely.geometry.base import BaseGeometry
 
 from ..progress import Progress
-from .buildings.choice import around, choose
+from .buildings.choice import along, around, choose
 from .buildings.facades import Facade, find_facades
 from .elevation import Plane, Points
 from .settings import FacadeSettings
@@ -23,16 +25,27 @@ class Selection:
         All, by number.
     chosen : Facade or None
         None if none was found, so that the cloud is measured as it is.
-    points : Points
-        Of the chosen facade, and of what stands near, before and behind it.
+    wanted : tuple of Facade
+        Those that ALL draws, by number.
+    whole : Points
+        Of the cloud.
+    rows : ndarray of int64, or None
+        Of the points of the chosen facade, and of what stands near, before and behind it; None for all.
     even : ndarray of float64, shape (k, 2)
         Points of the whole cloud in plan, for the key plan.
     """
 
     facades: tuple[Facade, ...]
     chosen: Optional[Facade]
-    points: Points
+    wanted: tuple[Facade, ...]
+    whole: Points
+    rows: Optional[np.ndarray]
     even: np.ndarray
+
+    @property
+    def points(self) -> Points:
+        """The points that are measured; copied at each call, so that facades that wait take no memory."""
+        return self.whole if self.rows is None else self.whole.subset(self.rows)
 
     @property
     def plane(self) -> Optional[Plane]:
@@ -41,12 +54,19 @@ class Selection:
             return None
         return Plane(self.chosen.normal, self.chosen.anchor, float("nan"), self.chosen.points)
 
+    def of(self, facade: Facade, settings: FacadeSettings = FacadeSettings()) -> "Selection":
+        """Return the same cloud with another facade chosen."""
+        if len(self.facades) == 1:
+            return self
+        return replace(self, chosen=facade, rows=around(self.whole.xyz, facade, settings.buildings))
+
 
 def select_facade(
     points: Points,
     settings: FacadeSettings = FacadeSettings(),
     number: int = 0,
     near: Optional[Sequence[float]] = None,
+    shapes: Sequence[BaseGeometry] = (),
     progress: Progress = Progress(),
 ) -> Selection:
     """Find the facades of a cloud, and return one of them.
@@ -59,6 +79,9 @@ def select_facade(
         FACADE: of the facade; 0 for the one that most points see.
     near : sequence of 2 float, optional
         FACADE_NEAR: x, y in the coordinates of the site; the nearest facade is taken.
+    shapes : sequence of shapely geometry
+        FACADE_ALONG: lines and polygons in the coordinates of the site; the facade along them is taken, and
+        those along them are wanted.
     progress : Progress
 
     Raises
@@ -71,18 +94,25 @@ def select_facade(
         points.xyz, points.scan, points.stations, settings.distance_m, limits, progress.part(0.0, 0.9)
     )
     even = _in_plan(points.xyz, limits.key_m)
-    if not facades and near is None and number <= 1:
-        return Selection((), None, points, even)
-    place = None if near is None else np.reshape(near, (-1, 2)) - points.origin[:2]
-    chosen = choose(facades, number, place, limits)
+    if not facades and near is None and number <= 1 and not shapes:
+        return Selection((), None, (), points, None, even)
+    x, y = -points.origin[:2]
+    beside = along(facades, [translate(shape, x, y) for shape in shapes], limits) if shapes else facades
+    if shapes and near is None and number == 0:
+        chosen = beside[0]
+    else:
+        place = None if near is None else np.reshape(near, (-1, 2)) - points.origin[:2]
+        chosen = choose(facades, number, place, limits)
+    wanted = tuple(sorted(beside, key=lambda facade: facade.number))
+    selection = Selection(facades, chosen, wanted, points, None, even)
     if len(facades) == 1:
-        return Selection(facades, chosen, points, even)
+        return selection
     progress.update(
         1.0,
         f"{len(facades)} facades were found; number {chosen.number} is measured: {chosen.length:.1f} m long, "
         f"{chosen.height:.1f} m high, azimuth {chosen.azimuth:.0f} degrees. FACADE takes another one.",
     )
-    return Selection(facades, chosen, points.subset(around(points.xyz, chosen, limits)), even)
+    return selection.of(chosen, settings)
 
 
 def _in_plan(xyz: np.ndarray, size: float) -> np.ndarray:

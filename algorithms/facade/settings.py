@@ -11,6 +11,9 @@ from .outlines.settings import OutlineSettings
 from .output.settings import OrthoimageSettings
 from .planes.settings import PlaneSettings
 
+CLEAR_REGIONS, ALL_REGIONS, NO_REGIONS = range(3)
+"""Values of COLOURED: regular regions with a clear step of colour; all regions, as in the paper; none."""
+
 
 @dataclass(frozen=True)
 class ExtentSettings:
@@ -33,6 +36,17 @@ class ThinningSettings:
     )
     coarser: float = judged(
         1.05, "Each further distance is larger by at least this factor, so that the search ends."
+    )
+
+
+@dataclass(frozen=True)
+class CompletionSettings:
+    """Edges that are completed by the openings of the same row."""
+
+    fewest: int = judged(2, "Openings that agree; one alone may be another kind of window.")
+    alike_m: float = physical(0.03, "Windows of one kind differ by less in old buildings.")
+    farthest_m: float = physical(
+        0.25, "An edge that was not seen is this near to where the hole ends: a sill hides less."
     )
 
 
@@ -71,6 +85,8 @@ class FacadeSettings:
     side : int
         SIDE: 0 if it is found from the points; 1 if the facade faces the eastern half of the horizon, 2 if
         it faces the western one.
+    coloured : int
+        COLOURED: `CLEAR_REGIONS`, `ALL_REGIONS` or `NO_REGIONS`.
     row_m : float
         Details are numbered from above in rows of this height.
     """
@@ -94,6 +110,7 @@ class FacadeSettings:
     min_area_m2: Optional[float] = None
     regularise: bool = True
     side: int = 0
+    coloured: int = CLEAR_REGIONS
     row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
     thinning: ThinningSettings = field(default_factory=ThinningSettings)
     buildings: BuildingSettings = field(default_factory=BuildingSettings)
@@ -101,6 +118,7 @@ class FacadeSettings:
     openings: OpeningSettings = field(default_factory=OpeningSettings)
     colour: ColourSettings = field(default_factory=ColourSettings)
     outlines: OutlineSettings = field(default_factory=OutlineSettings)
+    completion: CompletionSettings = field(default_factory=CompletionSettings)
     orthoimage: OrthoimageSettings = field(default_factory=OrthoimageSettings)
 
     @property

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.destinations import FolderDestination
+from ..parameters.folders import FolderDestination
 
 EXAMPLE = Path(__file__).parents[1] / "example"
 

@@ -1,7 +1,7 @@
 """The algorithm `facadedetails`."""
 
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
@@ -13,7 +13,11 @@ from ..parameters.destinations import (
     RasterDestination,
     TableDestination,
 )
-from ..parameters.facade import FACADE, FACADE_NEAR, FILL_HOLES, PIXEL_SIZE, SETTINGS
+from ..parameters.facade import FACADE, FACADE_ALONG, FACADE_NEAR, FILL_HOLES, PIXEL_SIZE, SETTINGS
+from ..parameters.facade_files import FOLDER, facade_writers, folder_writers
+
+if TYPE_CHECKING:
+    from ...algorithms.facade.elevation import Elevation
 
 
 class FacadeDetailsAlgorithm(Algorithm):
@@ -44,7 +48,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         "heritage",
         "architecture",
     )
-    inputs = (CLOUDS, FACADE, FACADE_NEAR, *SETTINGS.values(), CRS, PIXEL_SIZE, FILL_HOLES)
+    inputs = (CLOUDS, FACADE, FACADE_NEAR, FACADE_ALONG, *SETTINGS.values(), CRS, PIXEL_SIZE, FILL_HOLES)
     destinations = (
         RasterDestination(
             "ORTHOIMAGE",
@@ -81,12 +85,22 @@ class FacadeDetailsAlgorithm(Algorithm):
             "DXF file in metres, with a layer for each kind; needs the package ezdxf.",
             optional=True,
         ),
+        PolygonDestination(
+            "LEFT_OUT",
+            "Left out",
+            "Polygons in u, v, with reason and area: holes of the wall, regions of another colour and "
+            "surfaces that are not drawn.",
+            style="facade_left_out",
+            optional=True,
+            by_default=False,
+        ),
         HtmlDestination(
             "REPORT",
             "Report of the facade",
             "HTML page with a key plan of all facades of the cloud, and the details of the one drawn.",
             optional=True,
         ),
+        FOLDER,
     )
     numbers = (
         ("DETAIL_COUNT", "Number of details"),
@@ -96,11 +110,8 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Measure the facade."""
+        from ...algorithms.facade.every_facade import DrawnFacade, measure_every
         from ...algorithms.facade.measurement import measure_facade
-        from ...algorithms.facade.output.drawing import write_drawing
-        from ...algorithms.facade.output.elevation_layers import write_details, write_elevation
-        from ...algorithms.facade.output.orthoimage import automatic_pixel_size, write_orthoimage
-        from ...algorithms.facade.output.schedule import write_schedule
         from ...algorithms.facade.points import read_points
         from ...algorithms.facade.selection import select_facade
         from ...algorithms.facade.settings import FacadeSettings
@@ -110,44 +121,40 @@ class FacadeDetailsAlgorithm(Algorithm):
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
         selection = select_facade(
-            points, settings, values["FACADE"], values["FACADE_NEAR"], log.progress.part(0.2, 0.35)
+            points,
+            settings,
+            values["FACADE"],
+            values["FACADE_NEAR"],
+            values["FACADE_ALONG"],
+            log.progress.part(0.2, 0.35),
         )
-        points = selection.points
-        elevation = measure_facade(points, settings, log.progress.part(0.35, 0.95), selection.plane)
+        first = log.progress.part(0.35, 0.5 if values["ALL"] else 0.95)
+        elevation = measure_facade(selection.points, settings, first, selection.plane)
         log.warn(elevation.warnings)
-        pixel_size = values["PIXEL_SIZE"] or automatic_pixel_size(elevation.spacing)
-        if elevation.left_out:
-            log.info(
-                f"Holes of the wall of {elevation.left_out:.2f} m² in all are left out, because too few "
-                "straight sides of them were seen."
-            )
-        if elevation.stains:
-            log.info(
-                f"{elevation.stains} regions of another colour are left out, because they have no straight "
-                "sides; REGULARISE=no keeps them."
-            )
-        for part in elevation.parts[1:]:
-            log.info(f"A part of {part.area:.1f} m² lies {part.depth:+.2f} m from the main wall.")
-        log.info(f"Details: {len(elevation.details)}; pixels of the orthoimage: {pixel_size:g} m.")
-        writers = {}
-        if values["REPORT"]:
-            from ...algorithms.facade.output.report import write_report
-
-            writers["REPORT"] = partial(write_report, selection=selection, elevation=elevation)
+        _log(elevation, log)
+        drawn = DrawnFacade(selection.chosen.number if selection.chosen else 1, selection, elevation)
+        make = partial(facade_writers, values=values, settings=settings, crs=cloud.crs)
+        writers: dict[str, Any] = make(drawn, with_report=bool(values["REPORT"]))
+        if values["ALL"]:
+            every = measure_every(drawn, settings, log.progress.part(0.5, 0.95))
+            log.warn(every.warnings)
+            log.info(f"Facades drawn into the folder: {len(every.drawn)}.")
+            writers["ALL"] = folder_writers(every.drawn, make)
         return Outcome(
-            {
-                **writers,
-                "ELEVATION": lambda path: write_elevation(path, elevation),
-                "DETAILS": lambda path: write_details(path, elevation, cloud.crs),
-                "ORTHOIMAGE": lambda path: write_orthoimage(
-                    path, points, elevation, pixel_size, values["FILL_HOLES"], settings.orthoimage
-                ),
-                "SCHEDULE": lambda path: write_schedule(path, elevation),
-                "DRAWING": lambda path: write_drawing(path, elevation),
-            },
+            writers,
             {
                 "DETAIL_COUNT": len(elevation.details),
                 "FACADE_COUNT": len(selection.facades),
                 "WALL_AREA": elevation.wall.area,
             },
         )
+
+
+def _log(elevation: "Elevation", log: Log) -> None:
+    from ...algorithms.facade.left_out import summary
+
+    for kind, reason, count, area in summary(elevation.left_out):
+        log.info(f"Left out: {count} of kind {kind}, {area:.2f} m² in all: {reason}.")
+    for part in elevation.parts[1:]:
+        log.info(f"A part of {part.area:.1f} m² lies {part.depth:+.2f} m from the main wall.")
+    log.info(f"Details: {len(elevation.details)}.")

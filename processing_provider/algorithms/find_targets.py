@@ -8,7 +8,8 @@ from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS, FOR_LAYERS
 from ..log import Log
 from ..parameters.clouds import CRS, open_site
-from ..parameters.destinations import FolderDestination, HtmlDestination, PointDestination
+from ..parameters.destinations import HtmlDestination, PointDestination
+from ..parameters.folders import FolderDestination
 from ..parameters.targets import KIND, SCANS, SIZE, STATION, settings_of
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS
 from ..log import Log
 from ..parameters.clouds import CLOUDS
-from ..parameters.destinations import FolderDestination
 from ..parameters.files import JsonFile
+from ..parameters.folders import FolderDestination
 
 if TYPE_CHECKING:
     from ...algorithms.clouds.source import Source

@@ -14,9 +14,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingOutputDefinition,
     QgsProcessingOutputHtml,
-    QgsProcessingOutputMultipleLayers,
     QgsProcessingParameterFileDestination,
-    QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterVectorDestination,
     QgsProcessingUtils,
@@ -73,6 +71,10 @@ class Destination(Parameter):
         """Return the writers of the files of this output, by path."""
         return {path: writer}
 
+    def style_of(self, path: Path) -> Optional[str]:
+        """Return the name of the style of one of its files."""
+        return self.style
+
     def revise(self, path: Path, labels: Mapping[str, str]) -> None:
         """Change a file that was written for the person who reads it; data are not changed.
 
@@ -97,11 +99,12 @@ class Destination(Parameter):
             endings = " or ".join(self.extensions)
             case = ", in lower case" if path.suffix.lower() in self.extensions else ""
             raise InputError(f"{self.name} {path} cannot be written; end the name in {endings}{case}.")
-        self._check_folder(path)
-        if path.is_dir() or not _is_writable(path.parent):
+        self.check_folder(path)
+        if path.is_dir() or not is_writable(path.parent):
             raise InputError(f"{self.name} {path} cannot be written; choose another name or folder.")
 
-    def _check_folder(self, path: Path) -> None:
+    def check_folder(self, path: Path) -> None:
+        """Refuse a path in a folder that does not exist."""
         if not path.parent.is_dir():
             raise InputError(
                 f"{self.name} {path} cannot be written because the folder {path.parent} does not exist; "
@@ -303,53 +306,12 @@ class HtmlDestination(FileDestination):
 
     def revise(self, path: Path, labels: Mapping[str, str]) -> None:
         """Name the parameters by their labels."""
-        escaped = {name: html.escape(label) for name, label in labels.items()}
-        path.write_text(with_labels(path.read_text(encoding="utf-8"), escaped), encoding="utf-8")
+        name_by_labels(path, labels)
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         definition = super()._definition()
         definition.setCreateByDefault(self.by_default and not lacking(PAGE_MODULES))
         return definition
-
-
-@dataclass(frozen=True)
-class FolderDestination(Destination):
-    """A folder of files; it is made if its parent folder exists.
-
-    Attributes
-    ----------
-    listing : str
-        Name of a further output, the list of the files; models cannot pass folders on.
-    """
-
-    listing: str = ""
-    extensions = ()
-
-    def _definition(self) -> QgsProcessingParameterFolderDestination:
-        return QgsProcessingParameterFolderDestination(self.name, self.description, optional=self.optional)
-
-    def files(self, path: Path, writer: FolderWriters) -> dict[Path, Writer]:
-        """Return the writers of the files of the folder, by path."""
-        return {path / name: write for name, write in writer.items()}
-
-    def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
-        """Return the definition of the list of files."""
-        return [QgsProcessingOutputMultipleLayers(self.listing, f"{self.label}, one by one")]
-
-    def results(self, path: Path, writer: FolderWriters) -> dict[str, Any]:
-        """Return the folder and the list of its new files."""
-        return {self.name: str(path), self.listing: [str(file) for file in self.files(path, writer)]}
-
-    def check(self, path: Path) -> None:
-        """Refuse a folder that cannot be made or written to."""
-        self._check_folder(path)
-        if path.is_file() or not _is_writable(path if path.is_dir() else path.parent):
-            raise InputError(f"{self.name} {path} cannot be written to; choose another folder.")
-
-    def _path(
-        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> str:
-        return algorithm.parameterAsFileOutput(parameters, self.name, context)
 
 
 def check_outputs(outputs: dict[Destination, Path], sources: Iterable[str]) -> None:
@@ -376,7 +338,13 @@ def check_outputs(outputs: dict[Destination, Path], sources: Iterable[str]) -> N
             raise InputError(f"{output.name} {path} is {other} as well; choose another name.")
 
 
-def _is_writable(folder: Path) -> bool:
+def name_by_labels(page: Path, labels: Mapping[str, str]) -> None:
+    """Write the labels of parameters into a page in place of their names."""
+    escaped = {name: html.escape(label) for name, label in labels.items()}
+    page.write_text(with_labels(page.read_text(encoding="utf-8"), escaped), encoding="utf-8")
+
+
+def is_writable(folder: Path) -> bool:
     """Whether a file can be made there; permissions alone do not say so on every system."""
     try:
         with tempfile.TemporaryFile(dir=folder):

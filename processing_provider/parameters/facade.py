@@ -1,5 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
+from .map_layers import DrawnShapes
 from .parameter import Choice, Flag, Number, Place
 
 DISTANCE = Number(
@@ -31,6 +32,15 @@ FACADE_NEAR = Place(
     "FACADE_NEAR",
     "Point near the facade",
     "Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.",
+)
+
+FACADE_ALONG = DrawnShapes(
+    "FACADE_ALONG",
+    "Lines or walls along the facade",
+    "Measures the facade along a line that is drawn near to it, or along a wall of a plan, for example of "
+    "siteplan, in the coordinates of the cloud. Of several, selected features only if you choose so, the "
+    "facade that the most runs along. A folder of every facade then has those along the lines: a polygon of "
+    "a building chooses its facades among those of a street. FACADE and FACADE_NEAR choose among all.",
 )
 
 SIDE = Choice(
@@ -182,6 +192,17 @@ REGULARISE = Flag(
     default=True,
 )
 
+COLOURED = Choice(
+    "COLOURED",
+    "Coloured details",
+    "Which regions of another colour become details. Those with a clear step: they are regular, and their "
+    "colour changes sharply along the border, which the intensity confirms if there is one; stains, joints, "
+    "shadows and lamplight are left out, and LEFT_OUT shows them. All regions: the chain of the paper, "
+    "together with REGULARISE off. None: faster.",
+    options=("Those with a clear step", "All regions", "None"),
+    optional=True,
+)
+
 PIXEL_SIZE = Number(
     "PIXEL_SIZE",
     "Pixel size of the orthoimage",
@@ -214,5 +235,6 @@ SETTINGS = {
     "alpha_m": ALPHA,
     "min_area_m2": MIN_AREA,
     "regularise": REGULARISE,
+    "coloured": COLOURED,
 }
 """The parameters by the names of their settings in the core."""

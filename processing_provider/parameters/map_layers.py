@@ -10,12 +10,13 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterFeatureSource,
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterVectorLayer,
 )
 
 from ...algorithms.errors import InputError
-from .parameter import Parameter
+from .parameter import Parameter, marked
 
 
 @dataclass(frozen=True)
@@ -61,3 +62,35 @@ class ShownRaster(ShownLayer):
     ) -> Optional[QgsMapLayer]:
         layer = algorithm.parameterAsRasterLayer(parameters, self.name, context)
         return self._checked(layer, algorithm.parameterAsString(parameters, self.name, context))
+
+
+@dataclass(frozen=True)
+class DrawnShapes(Parameter):
+    """Optional lines and polygons: a layer, or only its selected features."""
+
+    def _definition(self) -> QgsProcessingParameterFeatureSource:
+        kinds = [QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon]
+        return marked(QgsProcessingParameterFeatureSource(self.name, self.description, kinds, optional=True))
+
+    def value(
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> list[Any]:
+        """Return the shapes as those of shapely."""
+        if not parameters.get(self.name):
+            return []
+        source = algorithm.parameterAsSource(parameters, self.name, context)
+        if source is None:
+            raise InputError(f"{self.name} {parameters[self.name]} cannot be read; choose another layer.")
+        from shapely import wkb
+
+        shapes = [
+            wkb.loads(bytes(feature.geometry().asWkb()))
+            for feature in source.getFeatures()
+            if not feature.geometry().isEmpty()
+        ]
+        if not shapes:
+            raise InputError(f"{self.name} has no lines or polygons; draw one, or leave it empty.")
+        return shapes
+
+    def sources(self, value: list[Any]) -> list[str]:
+        return []

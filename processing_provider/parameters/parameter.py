@@ -111,7 +111,7 @@ class Number(Parameter):
             min(self.maximum, 2**31 - 1) if self.whole else self.maximum,
         )
         definition.setMetadata({"widget_wrapper": {"decimals": self.decimals}})
-        return _marked(definition) if self.advanced else definition
+        return marked(definition) if self.advanced else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -183,7 +183,7 @@ class Flag(Parameter):
 
     def _definition(self) -> QgsProcessingParameterBoolean:
         definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
-        return _marked(definition) if self.advanced else definition
+        return marked(definition) if self.advanced else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -222,7 +222,7 @@ class Place(Parameter):
     """An optional point in plan, picked on the map or written as x,y."""
 
     def _definition(self) -> QgsProcessingParameterPoint:
-        return _marked(QgsProcessingParameterPoint(self.name, self.description, optional=True))
+        return marked(QgsProcessingParameterPoint(self.name, self.description, optional=True))
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -277,7 +277,7 @@ class ReferenceSystem(Parameter):
         return None
 
 
-def _marked(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
+def marked(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
     """Return the definition, shown among the advanced ones."""
     advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     definition.setFlags(definition.flags() | advanced)

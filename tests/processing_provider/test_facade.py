@@ -1,14 +1,18 @@
 """Facades, run as scripts and models run them."""
 
 import csv
+import time
 
 import fiona
 import laspy
 import numpy as np
 import pytest
 import rasterio
+from ichnograph.algorithms.vector import write_vector
+from ichnograph.tests.algorithms.facade.buildings.sites import block, upright
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.__main__ import write_laz, write_truth
+from shapely.geometry import LineString, box
 
 PLACE = (12.0, (412345.6, 5812345.7, 71.3))
 FILES = {
@@ -245,3 +249,112 @@ def test_defaults_of_parameters_are_those_of_the_settings():
     assert shown == {name: getattr(FacadeSettings(), name) for name in SETTINGS}
     assert MIN_POINTS.default == PlaneSettings().min_points
     assert MAX_PLANES.default == PlaneSettings().max_planes
+
+
+ORIGIN = (412_000.0, 5_812_000.0, 70.0)
+
+
+@pytest.fixture(scope="module")
+def building(tmp_path_factory):
+    """Write a block of 12 x 8 m with facades to a street in the south and a yard in the north."""
+    xyz = block() + np.random.default_rng(0).normal(0, 0.002, (len(block()), 3)) + ORIGIN
+    path = tmp_path_factory.mktemp("clouds") / "block.xyz"
+    np.savetxt(path, xyz, "%.4f")
+    return str(path)
+
+
+def shapes(path, *wanted):
+    write_vector(
+        path, wanted[0].geom_type, {"name": "str:8"}, ((item, {"name": "a"}) for item in wanted), None
+    )
+    return str(path)
+
+
+@pytest.fixture(scope="module")
+def every(run, building, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("every")
+    return run(
+        "facadedetails", INPUT=building, ELEVATION=str(folder / "elevation.gpkg"), ALL=str(folder / "facades")
+    ), folder  # fmt: skip
+
+
+def test_every_facade_has_a_folder_of_its_own_and_all_have_one_schedule(every):
+    result, folder = every
+    names = {str(path.relative_to(folder / "facades")) for path in (folder / "facades").rglob("*.*")}
+
+    for number in ("01", "02"):
+        for name in ("elevation.gpkg", "elevation.qml", "details.gpkg", "left_out.gpkg", "orthoimage.tif"):
+            assert f"facade_{number}/{name}" in names
+    assert {*result["ALL_FILES"]} <= {str(folder / "facades" / name) for name in names}
+    assert (folder / "facades" / "schedule.csv").read_text().startswith("facade,id,kind")
+    assert not [name for name in names if ".ichnograph" in name]
+
+
+def test_the_chosen_facade_of_the_folder_is_that_of_the_other_outputs(every):
+    _, folder = every
+    alone, (first, second) = rows(folder / "elevation.gpkg"), (
+        rows(folder / "facades" / f"facade_0{number}" / "elevation.gpkg") for number in (1, 2)
+    )  # fmt: skip
+
+    assert alone == first
+    assert (first[0]["azimuth"] - second[0]["azimuth"]) % 360 == pytest.approx(180, abs=0.1)
+
+
+def test_a_line_along_a_facade_chooses_it_and_limits_the_folder_to_it(run, building, tmp_path):
+    yard = shapes(tmp_path / "line.gpkg", LineString([(412_001, 5_812_009), (412_011, 5_812_009)]))
+    result = run(
+        "facadedetails", INPUT=building, FACADE_ALONG=yard, ELEVATION=str(tmp_path / "elevation.gpkg"),
+        ALL=str(tmp_path / "facades"),
+    )  # fmt: skip
+
+    assert np.cos(np.radians(rows(result["ELEVATION"])[0]["azimuth"])) == pytest.approx(1, abs=1e-3)
+    assert [path.name for path in sorted((tmp_path / "facades").iterdir())] == ["facade_02", "schedule.csv"]
+
+
+def test_a_layer_without_shapes_along_a_facade_is_refused_and_nothing_is_written(run, building, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    far = shapes(tmp_path / "far.gpkg", box(0, 0, 10, 10))
+    with pytest.raises(QgsProcessingException, match="without a facade within 2 m"):
+        run(
+            "facadedetails", INPUT=building, FACADE_ALONG=far, ELEVATION=str(tmp_path / "elevation.gpkg"),
+            ALL=str(tmp_path / "facades"),
+        )  # fmt: skip
+    assert [path.name for path in tmp_path.iterdir()] == ["far.gpkg"]
+
+
+def test_a_cancel_while_the_folder_is_drawn_leaves_nothing_behind(run, building, tmp_path, feedback):
+    from qgis.core import QgsProcessingException
+
+    push = feedback.setProgressText
+
+    def cancel_at_the_second(text):
+        push(text)
+        if text.startswith("Facade 2"):
+            feedback.cancel()
+
+    feedback.setProgressText = cancel_at_the_second
+    start = time.monotonic()
+    with pytest.raises(QgsProcessingException, match="Cancelled"):
+        run(
+            "facadedetails", feedback, INPUT=building, ELEVATION=str(tmp_path / "elevation.gpkg"),
+            ALL=str(tmp_path / "facades"),
+        )  # fmt: skip
+    assert time.monotonic() - start < 60
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_left_out_is_a_layer_and_a_line_of_the_log(run, tmp_path, feedback):
+    wall, cloud = upright((0, 0), (6, 0), 0, 4), str(tmp_path / "wall.xyz")
+    u, v = wall[:, 0] - 3, wall[:, 2] - 2
+    stained = np.hypot(u, v) + 0.3 * np.sin(5 * np.arctan2(v, u)) < 1
+    colour = np.where(stained[:, None], (90, 80, 70), (210, 200, 180))
+    np.savetxt(cloud, np.column_stack([wall, colour]), "%.3f", header="x y z r g b", comments="")
+    result = run(
+        "facadedetails", feedback, INPUT=cloud, ELEVATION=str(tmp_path / "elevation.gpkg"),
+        LEFT_OUT=str(tmp_path / "left_out.gpkg"),
+    )  # fmt: skip
+
+    (stain,) = rows(result["LEFT_OUT"])
+    assert (stain["kind"], "stain" in stain["reason"]) == ("coloured detail", True)
+    assert any(info.startswith("Left out: 1 of kind coloured detail") for info in feedback.infos)

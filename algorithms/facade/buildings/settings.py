@@ -85,6 +85,12 @@ class BuildingSettings:
     )
     on_wall_m: float = physical(0.1, "Points this near to a wall count as its points.")
     nearest_m: float = physical(30.0, "A picked point farther from every facade is in another system.")
+    along_m: float = judged(
+        2.0, "A line along a facade is drawn this near to it; the inner side of a wall is nearer too."
+    )
+    along_deg: float = judged(20.0, "Lines that turn by more do not run along it.")
+    along_step_m: float = judged(0.1, "Pieces of a line, each of which runs along one facade.")
+    along_share: float = judged(0.5, "A shape that runs along this part of a facade has it.")
     key_m: float = judged(0.1, "Squares of the key plan; a metre is about 10 pixels on a small site.")
     around_m: float = judged(1.5, "What stands this far beyond the ends of a facade is measured with it.")
     before_m: float = judged(

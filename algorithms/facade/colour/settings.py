@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ...settings import judged, physical
+from ...settings import judged, physical, statistical
 
 
 @dataclass(frozen=True)
@@ -67,12 +67,36 @@ class MixedSettings:
 
 
 @dataclass(frozen=True)
+class StepSettings:
+    """The step of colour at the border of a detail. Distances are in point spacings."""
+
+    narrowest_m: float = physical(0.05, "Joints and cracks are narrower; painted bands are wider.")
+    narrowest_spacings: float = judged(4.0, "Narrower regions have no points of their own colour alone.")
+    near_spacings: float = judged(1.5, "Points nearer to the border are mixed.")
+    middle_spacings: float = judged(5.0, "Points up to here show the colours of the two sides.")
+    far_spacings: float = judged(8.5, "Points up to here show how much these colours change on their own.")
+    station_spacings: float = judged(4.0, "Length of a station along the border.")
+    most_stations: int = judged(400, "Stations along a border; on longer borders they are longer.")
+    fewest_points: int = judged(4, "A median of fewer points is too uncertain.")
+    sharper: float = judged(
+        1.5, "A step exceeds the changes on both sides of it by this factor; a gradient has no step."
+    )
+    around_m: float = judged(1.0, "The wall up to this far around shows how much its colours vary.")
+    texture_sigmas: float = statistical(
+        3.0, "A step exceeds the standard deviation of these colours by this factor."
+    )
+    share: float = judged(0.7, "A detail has a clear step along this part of its border.")
+    confirmed: float = judged(0.6, "Along this part of the border the intensity changes by f or more.")
+
+
+@dataclass(frozen=True)
 class ColourSettings:
     """Regions of one colour."""
 
     seeds: SeedSettings = SeedSettings()
     intensity: IntensitySettings = IntensitySettings()
     mixed: MixedSettings = MixedSettings()
+    steps: StepSettings = StepSettings()
     smallest_region: float = judged(
         0.25,
         "Regions below this part of the smallest detail are specks; the regions beside them absorb them.",

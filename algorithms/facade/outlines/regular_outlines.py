@@ -32,6 +32,8 @@ class Outline:
     edges : Edges
     rms : float
         Of the crossings of the border against the outline (m).
+    completed : tuple of str
+        Edges that were not seen, and are where the openings of the same row have theirs.
     """
 
     shape: str
@@ -39,6 +41,7 @@ class Outline:
     polygon: Polygon
     edges: Edges
     rms: float
+    completed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,7 @@ FIELDS = {
     "std_bottom": "float:12.5",
     "std_top": "float:12.5",
     "measured": "str:24",
+    "completed": "str:24",
     "open_side": "str:24",
     "wall_depth": "float:12.4",
     "depth": "float:12.4",
@@ -54,10 +55,23 @@ FIELDS = {
 """Fields of both layers, null where a value is not known."""
 
 
+LEFT_OUT_FIELDS = {"kind": "str:16", "reason": "str:80", "area": "float:12.3"}
+"""Fields of the layer of what was left out."""
+
+
 def write_elevation(path: Path, elevation: Elevation) -> None:
     """Write wall, details and unseen areas as polygons in u, v."""
     features = [(_multi(shape), values) for shape, values in _features(elevation)]
     write_vector(path, "MultiPolygon", FIELDS, features, ELEVATION_CRS)
+
+
+def write_left_out(path: Path, elevation: Elevation) -> None:
+    """Write what is left out as polygons in u, v, with the fields `LEFT_OUT_FIELDS`."""
+    features = (
+        (_multi(item.shape), {"kind": item.kind, "reason": item.reason, "area": item.area})
+        for item in elevation.left_out
+    )
+    write_vector(path, "MultiPolygon", LEFT_OUT_FIELDS, features, ELEVATION_CRS)
 
 
 def write_details(path: Path, elevation: Elevation, crs: Optional[CRS]) -> None:
@@ -114,6 +128,7 @@ def _values(detail: Detail) -> dict[str, Any]:
         "shape": detail.shape,
         "head": detail.head,
         "measured": " ".join(detail.measured),
+        "completed": " ".join(detail.completed),
         "open_side": " ".join(detail.open_sides),
         "wall_depth": detail.layer,
         "w_std": known(detail.width_std),

@@ -12,6 +12,7 @@ from ...reporting.numbers import number
 from ...reporting.page import write_page
 from ..buildings.facades import Facade
 from ..elevation import Detail, Elevation
+from ..left_out import summary
 from ..selection import Selection
 
 TEMPLATE = Path(__file__).parent / "templates" / "facade.html"
@@ -50,6 +51,10 @@ def write_report(path: Path, selection: Selection, elevation: Elevation) -> None
         marked=[] if selection.chosen is None else [selection.chosen.number - 1],
         parts=[(number(part.depth, 2), number(part.area, 1)) for part in elevation.parts],
         details=[_detail_row(detail) for detail in details],
+        left_out=[
+            (kind, reason, str(count), number(area, 2))
+            for kind, reason, count, area in summary(elevation.left_out)
+        ],
         warnings=elevation.warnings,
     )
 
@@ -121,6 +126,7 @@ def _detail_row(detail: Detail) -> tuple[str, ...]:
         number(detail.sill, 2),
         number(detail.depth, 2),
         ", ".join(detail.measured),
+        ", ".join(detail.completed),
     )
 
 

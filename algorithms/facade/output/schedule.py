@@ -1,12 +1,14 @@
 """The schedule of a facade: a table with one row a detail."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 
 from ...files import atomic_output
 from ..elevation import Elevation
-from .elevation_layers import frame_values
+from .elevation_layers import FRAME_FIELDS, frame_values
 
 DECIMALS = {
     "width": 4,
@@ -27,6 +29,11 @@ DECIMALS = {
 OWN = ("width", "height", "sill", "area", "width_std", "height_std", "depth")
 """Numbers that a detail has by the same name."""
 
+COLUMNS = (
+    "id", "kind", "shape", *DECIMALS, "use", "head", "measured", "completed", "open_side", "points",
+    *FRAME_FIELDS,
+)  # fmt: skip
+
 
 def write_schedule(path: Path, elevation: Elevation) -> None:
     """Write the schedule as csv; unknown values are empty.
@@ -36,9 +43,30 @@ def write_schedule(path: Path, elevation: Elevation) -> None:
     InputError
         If the file cannot be written.
     """
+    _write(path, _rows(elevation), COLUMNS)
+
+
+def write_common_schedule(path: Path, elevations: Mapping[int, Elevation]) -> None:
+    """Write one schedule of several facades; its first column is the number of the facade.
+
+    Parameters
+    ----------
+    path : Path
+    elevations : dict of int to Elevation
+        By the number of the facade.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    rows = [{"facade": number, **row} for number, elevation in elevations.items() for row in _rows(elevation)]
+    _write(path, rows, ("facade", *COLUMNS))
+
+
+def _rows(elevation: Elevation) -> list[dict[str, Any]]:
     frame = frame_values(elevation.frame)
-    columns = ["id", "kind", "shape", *DECIMALS, "use", "head", "measured", "open_side", "points", *frame]
-    rows = [
+    return [
         {
             "id": detail.number,
             "kind": detail.kind,
@@ -49,6 +77,7 @@ def write_schedule(path: Path, elevation: Elevation) -> None:
             "use": detail.use,
             "head": detail.head,
             "measured": " ".join(detail.measured),
+            "completed": " ".join(detail.completed),
             "open_side": " ".join(detail.open_sides),
             "u": detail.outline.centroid.x,
             "v": detail.outline.centroid.y,
@@ -57,7 +86,10 @@ def write_schedule(path: Path, elevation: Elevation) -> None:
         }
         for detail in elevation.details
     ]
-    table = pd.DataFrame(rows, columns=columns)
+
+
+def _write(path: Path, rows: list[dict[str, Any]], columns: Sequence[str]) -> None:
+    table = pd.DataFrame(rows, columns=list(columns))
     for name, decimals in DECIMALS.items():
         table[name] = table[name].astype(float).round(decimals)
     with atomic_output(path) as temporary:

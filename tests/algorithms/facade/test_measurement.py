@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, PROJECTION, RECESS, Points
+from ichnograph.algorithms.facade.left_out import NOT_STRAIGHT
 from ichnograph.algorithms.facade.measurement import measure_facade
-from ichnograph.algorithms.facade.settings import FacadeSettings
+from ichnograph.algorithms.facade.settings import ALL_REGIONS, NO_REGIONS, FacadeSettings
 from ichnograph.tests.algorithms.facade.samples import bare, upright
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import in_scene, judge
@@ -170,7 +171,7 @@ def test_a_wall_without_details_is_a_wall():
     assert elevation.wall.area == pytest.approx(12, rel=0.005)
 
 
-def test_a_stain_is_left_out_and_counted_unless_the_plain_chain_is_asked_for():
+def test_a_stain_is_left_out_with_its_reason_unless_the_plain_chain_is_asked_for():
     xyz = upright(4, 3)
     u, v = xyz[:, 0] - 2, xyz[:, 2] - 1.5
     angle = np.arctan2(v, u)
@@ -179,8 +180,12 @@ def test_a_stain_is_left_out_and_counted_unless_the_plain_chain_is_asked_for():
     points = replace(bare(xyz), rgb=rgb)
     elevation = measure_facade(points, FacadeSettings())
 
-    assert (elevation.details, elevation.stains) == ((), 1)
-    assert len(measure_facade(points, FacadeSettings(regularise=False)).details) == 1
+    (left_out,) = elevation.left_out
+    assert elevation.details == ()
+    assert (left_out.kind, left_out.reason) == (COLOURED, NOT_STRAIGHT)
+    assert left_out.area == pytest.approx(0.83, abs=0.05)
+    assert len(measure_facade(points, FacadeSettings(coloured=ALL_REGIONS)).details) == 1
+    assert measure_facade(points, FacadeSettings(coloured=NO_REGIONS)).left_out == ()
 
 
 def test_without_regularise_every_outline_follows_the_points(medina):

@@ -1,12 +1,21 @@
 """The layers of an elevation, and the way back from u, v to the site."""
 
+from dataclasses import replace
+
 import fiona
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.output.elevation_layers import FIELDS, write_details, write_elevation
+from ichnograph.algorithms.facade.elevation import COLOURED, LeftOut
+from ichnograph.algorithms.facade.output.elevation_layers import (
+    FIELDS,
+    LEFT_OUT_FIELDS,
+    write_details,
+    write_elevation,
+    write_left_out,
+)
 from ichnograph.tests.algorithms.facade.samples import site_of, small_elevation
 from rasterio.crs import CRS
-from shapely.geometry import shape
+from shapely.geometry import box, shape
 
 TOLERANCE = 1e-5
 """A hundredth of a millimetre (m)."""
@@ -68,3 +77,13 @@ def test_the_same_elevation_gives_the_same_bytes(tmp_path):
     for name in "ab":
         write_elevation(tmp_path / f"{name}.shp", small_elevation())
     assert (tmp_path / "a.shp").read_bytes() == (tmp_path / "b.shp").read_bytes()
+
+
+def test_what_is_left_out_has_reason_and_area(tmp_path):
+    stain = LeftOut(box(2, 1, 3, 2), COLOURED, "no straight sides", 1.0)
+    write_left_out(tmp_path / "left_out.gpkg", replace(small_elevation(), left_out=(stain,)))
+    (((polygon, row),), _) = features(tmp_path / "left_out.gpkg")
+
+    assert set(row) == set(LEFT_OUT_FIELDS)
+    assert (row["kind"], row["reason"], row["area"]) == (COLOURED, "no straight sides", 1.0)
+    assert polygon.bounds == (2, 1, 3, 2)

@@ -4,10 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.facade.elevation import COLOURED, LeftOut
 from ichnograph.algorithms.facade.output.report import write_report
 from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.tests.algorithms.facade.buildings.sites import block, level
 from ichnograph.tests.algorithms.facade.samples import bare, small_elevation
+from shapely.geometry import box
 
 pytest.importorskip("jinja2", reason="jinja2 is not installed")
 
@@ -43,6 +45,13 @@ def test_sizes_with_an_edge_that_was_not_seen_are_in_brackets(written, selection
 def test_warnings_are_written(written, selection):
     page = written(selection, replace(small_elevation(), warnings=("The side is doubtful.",)))
     assert "The side is doubtful." in page
+
+
+def test_what_is_left_out_is_added_up_by_reason(written, selection):
+    stain = LeftOut(box(2, 1, 3, 2), COLOURED, "no straight sides", 1.25)
+    page = written(selection, replace(small_elevation(), left_out=(stain, stain)))
+    assert "no straight sides" in page and "2.50" in page
+    assert "Left out" not in written(selection, small_elevation())
 
 
 def test_a_cloud_without_facades_has_no_key_plan(written):

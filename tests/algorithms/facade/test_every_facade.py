@@ -1,0 +1,79 @@
+"""Every facade of a building is measured; those that cannot be are said."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from ichnograph.algorithms.errors import CancelledError, InputError
+from ichnograph.algorithms.facade.every_facade import DrawnFacade, measure_every
+from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.selection import select_facade
+from ichnograph.algorithms.facade.settings import FacadeSettings
+from ichnograph.algorithms.progress import Progress
+from ichnograph.tests.algorithms.facade.buildings.sites import block, level
+from ichnograph.tests.algorithms.facade.samples import bare
+from shapely.geometry import LineString, box
+
+SETTINGS = FacadeSettings()
+ORIGIN = (412_000.0, 5_812_000.0, 70.0)
+
+
+@pytest.fixture(scope="module")
+def points():
+    xyz = block()
+    return bare(xyz + np.random.default_rng(0).normal(0, 0.002, xyz.shape), ORIGIN)
+
+
+def first_of(selection):
+    number = 1 if selection.chosen is None else selection.chosen.number
+    return DrawnFacade(number, selection, measure_facade(selection.points, SETTINGS, wanted=selection.plane))
+
+
+@pytest.fixture(scope="module")
+def first(points):
+    return first_of(select_facade(points, SETTINGS))
+
+
+def test_each_facade_has_its_own_elevation(first):
+    every = measure_every(first, SETTINGS)
+    assert [item.number for item in every.drawn] == [1, 2]
+    assert every.drawn[0] is first
+    turned = every.drawn[1].elevation.frame.azimuth - first.elevation.frame.azimuth
+    assert np.cos(np.radians(turned)) == pytest.approx(-1, abs=1e-3)
+    assert every.drawn[1].elevation.wall.area == pytest.approx(12 * 5, rel=0.05)
+
+
+def test_facades_are_those_along_the_lines_where_lines_are_given(points):
+    north = LineString([(412_000, 5_812_008.5), (412_012, 5_812_008.5)])
+    selection = select_facade(points, SETTINGS, shapes=[north])
+    assert [item.number for item in measure_every(first_of(selection), SETTINGS).drawn] == [2]
+
+
+def test_a_polygon_of_a_building_has_all_its_facades(points):
+    building = box(412_000, 5_812_000, 412_012, 5_812_008)
+    assert [facade.number for facade in select_facade(points, SETTINGS, shapes=[building]).wanted] == [1, 2]
+
+
+def test_lines_in_other_coordinates_are_refused(points):
+    with pytest.raises(InputError, match=r"FACADE_ALONG has a line .* without a facade within 2 m"):
+        select_facade(points, SETTINGS, shapes=[LineString([(0, 8), (12, 8)])])
+
+
+def test_a_facade_that_cannot_be_measured_is_said_and_the_others_are_drawn(first):
+    second = first.selection.wanted[1]
+    lost = replace(second, anchor=second.anchor + (0, 4, 0))
+    selection = replace(first.selection, wanted=(first.selection.wanted[0], lost))
+    every = measure_every(replace(first, selection=selection), SETTINGS)
+    assert [item.number for item in every.drawn] == [1]
+    assert len(every.warnings) == 1 and every.warnings[0].startswith("Facade 2 is not drawn: ")
+
+
+def test_a_cloud_without_several_facades_is_drawn_once():
+    wall = np.concatenate([block()[block()[:, 1] < 0.1], level(-6, -10, 18, 0, 0.0)])
+    alone = first_of(select_facade(bare(wall), SETTINGS))
+    assert measure_every(alone, SETTINGS).drawn == (alone,)
+
+
+def test_a_cancel_ends_it_between_facades(first):
+    with pytest.raises(CancelledError):
+        measure_every(first, SETTINGS, Progress(is_cancelled=lambda: True))
