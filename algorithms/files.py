@@ -1,6 +1,7 @@
 """Outputs that are either complete or not written at all."""
 
 import errno
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -16,6 +17,9 @@ SIDECARS = {
     ".shp": (".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn", ".sbx", ".qpj"),
     ".tif": (".tfw",),
 }
+
+LEAST_FREE = 2**16
+"""Bytes; files and their folders grow by less at a time."""
 
 
 class Outputs:
@@ -152,8 +156,16 @@ def _sidecars(target: Path) -> list[Path]:
     return appended + [target.with_suffix(suffix) for suffix in replaced]
 
 
+def is_full(folder: Path) -> bool:
+    """Whether a disk has less space left than outputs take; not every library says why it cannot write."""
+    try:
+        return shutil.disk_usage(folder).free < LEAST_FREE
+    except OSError:
+        return False
+
+
 def _explain(target: Path, error: OSError) -> str:
-    if error.errno == errno.ENOSPC:
+    if error.errno == errno.ENOSPC or (error.errno is None and is_full(target.parent)):
         return (
             f"{target} cannot be written because the disk is full; free some space or choose another folder."
         )

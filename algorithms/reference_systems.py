@@ -55,10 +55,10 @@ def parse_layer_wkt(wkt: str, owner: str) -> Optional[CRS]:
         raise InputError(
             f"The coordinate reference system of {owner} is not understood; assign it again."
         ) from error
-    if is_local(crs) or _definition(crs).name == UNDEFINED:
+    if _definition(crs).name == UNDEFINED:
         return None
     require_metres(crs, owner)
-    return crs
+    return None if is_local(crs) else crs
 
 
 def chosen_system(wkt: str, parameter: str) -> CRS:
@@ -181,6 +181,8 @@ def unsuitable_axes(crs: CRS) -> str:
         return "earth-centred"
     if has_only_heights(crs):
         return "heights only"
+    if len(definition.axis_info) < 2 and not definition.sub_crs_list:
+        return "not those of a map"
     units = [axis.unit_name for axis in definition.axis_info if axis.unit_conversion_factor != 1]
     return f"in {units[0]}" if units else ""
 

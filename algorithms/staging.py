@@ -91,11 +91,18 @@ class Stage:
 
     def __init__(self, folder: Path, name: str, leader: Optional["Stage"] = None) -> None:
         self.path = Path(tempfile.mkdtemp(prefix=f".{name[:16]}.", suffix=SUFFIX, dir=folder))
-        self._lock = _locked(self.path / LOCK)
-        for part in ("new", "old"):
-            (self.path / part).mkdir()
-        if leader is not None:
-            (self.path / LEADER).write_text(json.dumps(_relative(leader.path, self.path)), encoding="utf-8")
+        self._lock: Optional[IO[Any]] = None
+        try:
+            self._lock = _locked(self.path / LOCK)
+            for part in ("new", "old"):
+                (self.path / part).mkdir()
+            if leader is not None:
+                named = json.dumps(_relative(leader.path, self.path))
+                (self.path / LEADER).write_text(named, encoding="utf-8")
+        except BaseException:
+            # A full disk has room for the folder only.
+            self.close(keep=False)
+            raise
 
     @property
     def new(self) -> Path:
@@ -188,7 +195,11 @@ def _leader_of(stage: Path) -> Path:
     named = stage / LEADER
     if not named.exists():
         return stage
-    return Path(os.path.normpath(stage / json.loads(named.read_text(encoding="utf-8"))))
+    try:
+        return Path(os.path.normpath(stage / json.loads(named.read_text(encoding="utf-8"))))
+    except ValueError:
+        # Its run ended while it wrote this, and so before anything was replaced.
+        return stage
 
 
 def _moves(leader: Path) -> list[Move]:

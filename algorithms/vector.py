@@ -1,5 +1,6 @@
 """Writing vector layers: shapefile or GeoPackage, by extension."""
 
+import errno
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,7 +13,7 @@ from shapely.geometry import mapping
 from shapely.geometry.base import BaseGeometry
 
 from .errors import InputError
-from .files import atomic_output
+from .files import atomic_output, is_full
 
 UNKNOWN_METRES = 'LOCAL_CS["Undefined Cartesian SRS",UNIT["metre",1]]'
 """Reference system of a GeoPackage without one; if it were empty, GDAL would write degrees."""
@@ -86,6 +87,8 @@ def _gdal_errors_named(path: Path) -> Iterator[None]:
     try:
         yield
     except (FionaError, RuntimeError) as error:
+        if is_full(path.parent):
+            raise OSError(errno.ENOSPC, "the disk is full") from error
         raise InputError(
             f"{path} cannot be written ({error}); free some space or choose another folder."
         ) from error

@@ -37,6 +37,9 @@ class PrecisionSettings:
     single_share: float = statistical(
         0.999, "Nearly all points of a file in single precision have its steps, of others a quarter."
     )
+    odd_share: float = statistical(
+        0.05, "Half of the numbers of single precision are odd multiples of its step; among 10, one at least."
+    )
     fewest_points: int = statistical(
         10, "The chance that as many points of full precision lie near steps is below one in a million."
     )

@@ -65,6 +65,7 @@ def read_schedule(path: Path) -> LengthList:
         for dimension in DIMENSIONS:
             value = _number(table, line, dimension, dimension)
             if math.isfinite(value):
+                _refuse_repeated(table, line, dimension, lengths)
                 std = _number(table, line, DEVIATIONS.get(dimension, ""), dimension)
                 lengths.append(MeasuredLength(table.text(line, "id"), dimension, value, std))
     return LengthList(str(path), tuple(lengths), _converted(table))
@@ -96,7 +97,9 @@ def read_reference(path: Path) -> LengthList:
 
 def _converted(table: NamedTable) -> tuple[str, ...]:
     units = sorted({unit for role, unit in table.units.items() if table.metres(role) != 1})
-    return tuple(f"{table.path} gives lengths in {unit}; they were converted to metres." for unit in units)
+    return table.warnings + tuple(
+        f"{table.path} gives lengths in {unit}; they were converted to metres." for unit in units
+    )
 
 
 def _dimensions(table: NamedTable, line: int) -> list[tuple[str, str]]:
@@ -118,12 +121,22 @@ def _dimensions(table: NamedTable, line: int) -> list[tuple[str, str]]:
     return pairs
 
 
+def _refuse_repeated(table: NamedTable, line: int, dimension: str, before: list[MeasuredLength]) -> None:
+    """Refuse a schedule that lists a length twice, because only one of them could be compared."""
+    name = table.text(line, "id")
+    if any(item.id == name and item.dimension == dimension for item in before):
+        raise InputError(
+            f"Line {line} of {table.path}: the {dimension} of {name} is listed twice; remove one entry."
+        )
+
+
 def _number(table: NamedTable, line: int, role: str, name: str) -> float:
     """Return a length in metres; nan if its field is empty or there is no such column."""
     text = table.text(line, role)
     if not text:
         return math.nan
     value = table.dialect.number(text) * table.metres(role)
-    if not math.isfinite(value):
+    # Only a sill may lie at the ground or below it.
+    if not math.isfinite(value) or (value <= 0 and name != "sill"):
         raise InputError(f"Line {line} of {table.path}: the {name} {text} is not a length in metres.")
     return value

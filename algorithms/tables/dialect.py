@@ -25,6 +25,7 @@ GROUPED = re.compile(
 )
 """A number whose thousands are certainly separated; '1,234' alone may be a decimal number."""
 
+_THOUSANDS = re.compile(r"[+-]?\d{1,3},\d{3}")
 COMMA_BLANK = re.compile(r",\s+\S")
 SEPARATOR_LINE = re.compile(r'"?sep=(.)"?\s*', re.IGNORECASE)
 """The first line by which a spreadsheet is told the separator."""
@@ -145,11 +146,23 @@ def delimiter_and_width(path: Path, lines: list[str]) -> tuple[str, int]:
                 shapes[delimiter, len(fields)] += 1
                 break
     if not shapes:
+        if any(_numbers(line.lstrip(" \t#/;")) >= 3 for line in lines if is_comment(line)):
+            raise InputError(
+                f"{path} holds no points because all lines with numbers begin with #, // or ;, as remarks "
+                "do; remove these signs."
+            )
+        if lines and lines[0].lstrip("\ufeff \t").startswith("<"):
+            raise InputError(f"{path} is XML, not a table of numbers; export it again as x y z.")
         raise InputError(
             f"{path} holds no points because no line has three numbers separated by comma, "
             "semicolon, blank or tab; export it again as x y z."
         )
     return shapes.most_common(1)[0][0]
+
+
+def _numbers(line: str) -> int:
+    """Return how many numbers a line has, by the separator that leaves most."""
+    return max(sum(map(is_number, split(line, delimiter))) for delimiter in (";", "\t", "|", ",", " "))
 
 
 def is_row(line: str, delimiter: str, width: int) -> bool:
@@ -182,8 +195,10 @@ def decimal_signs(path: Path, rows: list[list[str]], delimiter: str, named: bool
     rest = [field.replace(thousands, "") for field in fields] if thousands else fields
     commas = any("," in field for field in rest)
     points = any("." in field and not LOST.fullmatch(field) for field in rest)
-    # Four whole numbers between commas may as well be two with decimal commas.
-    doubtful = delimiter == "," and not points and not named and len(rows[0]) > 3
+    # Four whole numbers between commas may as well be two with decimal commas, and '1,234' between quotes a
+    # thousand.
+    grouped = commas and all(_THOUSANDS.fullmatch(field) for field in rest if "," in field)
+    doubtful = delimiter == "," and not points and (grouped or (not named and len(rows[0]) > 3))
     if doubtful or (commas and points):
         raise InputError(
             f"The commas in {path} can be decimal signs or separators; "

@@ -1,5 +1,7 @@
 """The lines before the first row: names of columns with their units, and how many points follow."""
 
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
@@ -81,7 +83,8 @@ def read_preamble(
     Raises
     ------
     InputError
-        If a line with names does not name the columns, or a line of numbers has another number of columns.
+        If a line with names does not name the columns, or names one twice; if a line of numbers has another
+        number of columns or is no row; or if a unit is stated for some of the coordinates only.
     """
     columns: dict[str, int] = {}
     units: dict[str, str] = {}
@@ -91,16 +94,20 @@ def read_preamble(
         fields = header_fields(line, delimiter)
         if ends_with_delimiter and len(fields) == width - 1:
             fields.append("")
-        stated = unit_of_remark(line) or stated
+        if len(fields) == width + 1 and not fields[-1]:
+            fields.pop()
+        remark = unit_of_remark(line)
+        stated = remark or stated
         if is_count(line):
             announced = (announced or 0) + int(line)
         elif len(fields) == width:
             found = _named(fields, roles)
+            refuse_double_names(path, fields, found, COORDINATES)
             columns, units = (found, _units_of(fields, found)) if found else (columns, units)
             if columns and not found and _is_line_of_units(fields):
                 units = {role: as_unit(fields[columns[role]]) or "m" for role in COORDINATES}
                 continue
-        if is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
+        if remark or is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
             continue
         if all(map(is_number, fields)):
             raise InputError(
@@ -108,11 +115,43 @@ def read_preamble(
                 f"{width}; correct or remove that line."
             )
         named = _named(fields, roles)
+        if columns and not named and re.search(r"\d", line):
+            raise InputError(
+                f"Line {number} of {path}, below the names of the columns, is not a row of numbers; correct "
+                "or remove that line."
+            )
         if (named and len(fields) != width) or (len(fields) == width and not columns):
             raise _unclear_header(path, number, fields, width)
-    if stated and not units:
+    if stated and len(units) < len(COORDINATES):
         units = dict.fromkeys(COORDINATES, stated)
+    if len(units) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in units.values()):
+        raise partly_stated(path)
     return Header(columns, units, announced)
+
+
+def partly_stated(path: Path) -> InputError:
+    """Return the error for a header that states the unit of some of the lengths only."""
+    return InputError(
+        f"The header of {path} states the unit of some columns only; write it into the name of each column."
+    )
+
+
+def refuse_double_names(
+    path: Path, fields: Sequence[str], columns: Mapping[str, int], roles: Sequence[str]
+) -> None:
+    """Refuse a header in which another column has the same name as that of a role.
+
+    Raises
+    ------
+    InputError
+    """
+    names = [simplified(field) for field in fields]
+    for role in roles:
+        if role in columns and names.count(names[columns[role]]) > 1:
+            raise InputError(
+                f"{path} has several columns called {fields[columns[role]]}; rename those that are not "
+                "wanted."
+            )
 
 
 def header_fields(line: str, delimiter: str) -> list[str]:

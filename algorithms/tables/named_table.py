@@ -1,5 +1,6 @@
 """Tables whose first line names the columns."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,15 +8,18 @@ from typing import Optional
 
 from ..errors import InputError
 from .column_names import Roles, recognised
-from .dialect import Dialect, decimal_signs, is_comment, is_number, split, stated_delimiter
+from .dialect import Dialect, decimal_signs, ends_cut_off, is_comment, is_number, split, stated_delimiter
 from .encoding import read_lines
-from .header import header_fields, metres_of
-from .units import as_unit, is_unit, unit_of
+from .header import header_fields, metres_of, partly_stated, refuse_double_names
+from .units import as_unit, factor_of, is_unit, unit_of, unit_of_remark
 
 DELIMITERS = (";", "\t", "|", ",", " ")
 
 MOST_LINES = 100_000
 """More than any table has that somebody measures or draws."""
+
+MOST_TITLES = 20
+"""Lines of titles that may precede the names of the columns."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,8 @@ class NamedTable:
     dialect : Dialect
     units : dict of str to str
         The units that the header states, by role.
+    warnings : tuple of str
+        What the user should know about the file, in sentences.
     """
 
     path: Path
@@ -39,6 +45,7 @@ class NamedTable:
     rows: dict[int, list[str]]
     dialect: Dialect
     units: dict[str, str]
+    warnings: tuple[str, ...] = ()
 
     def text(self, line: int, role: str) -> str:
         """Return a field as it is written; empty if there is no such column."""
@@ -79,24 +86,72 @@ def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: S
         raise InputError(
             f"{path} cannot be read ({reason}); check that it exists and that you may read it."
         ) from error
-    heading = next((index for index, line in enumerate(lines) if not is_comment(line)), 0)
+    heading = _heading(lines, roles, needed)
     delimiter, names = _header(path, lines, heading, roles, needed)
     columns = recognised(names, roles)
-    rows = {
-        number: _row(path, number, split(line, delimiter), names)
+    refuse_double_names(path, names, columns, (*needed, *numbers))
+    numbered = {
+        number: line
         for number, line in enumerate(lines[heading + 1 :], start=heading + 2)
         if not is_comment(line) or line.lstrip().startswith(";")
     }
+    rows = {number: _row(path, number, split(line, delimiter), names) for number, line in numbered.items()}
     rows = {number: row for number, row in rows.items() if any(row)}
     units = {role: unit for role, column in columns.items() if (unit := unit_of(names[column]))}
     first = next(iter(rows.values()), [""])
     if any(map(is_unit, first)) and not any(map(is_number, first)):
         rows.pop(next(iter(rows)))
         units.update((role, unit) for role, column in columns.items() if (unit := as_unit(first[column])))
-    measured = [columns[role] for role in numbers if role in columns]
-    fields = [[row[column] for column in measured] for row in rows.values()]
+    measured = [role for role in numbers if role in columns]
+    stated = next(filter(None, map(unit_of_remark, lines[:heading])), None)
+    units = {**dict.fromkeys(measured, stated), **units} if stated else units
+    if len({factor_of(units.get(role)) for role in measured}) > 1 and not set(measured) <= units.keys():
+        raise partly_stated(path)
+    if ends_cut_off(list(numbered.values()), delimiter):
+        raise InputError(f"The number at the end of {path} is cut off; copy or export it again.")
+    fields = [[row[columns[role]] for role in measured] for row in rows.values()]
+    if delimiter == "," and not units and _may_be_decimals(fields):
+        raise InputError(
+            f"The commas in {path} can be decimal signs or separators; separate the columns by semicolons, "
+            "or write decimal points."
+        )
     decimal, thousands = decimal_signs(path, fields, delimiter, True) if fields else (".", "")
-    return NamedTable(path, columns, rows, Dialect(delimiter, decimal, len(names), thousands), units)
+    return NamedTable(
+        path, columns, rows, Dialect(delimiter, decimal, len(names), thousands), units, _marked(path, lines)
+    )
+
+
+def _heading(lines: list[str], roles: Roles, needed: Sequence[str]) -> int:
+    """Return the first line that names what is needed, such as that below a title; or else the first line."""
+    wanted = [index for index, line in enumerate(lines[:MOST_TITLES]) if not is_comment(line)]
+    for index in wanted:
+        for sign in DELIMITERS:
+            if set(needed) <= recognised(header_fields(lines[index], sign), roles).keys():
+                return index
+    return wanted[0] if wanted else 0
+
+
+def _may_be_decimals(rows: list[list[str]]) -> bool:
+    """Whether all lengths are short whole numbers, so that pairs may be numbers with decimal commas."""
+    fields = [field for row in rows for field in row if field]
+    return bool(fields) and len(rows[0]) > 1 and all(re.fullmatch(r"\d{1,2}", field) for field in fields)
+
+
+def _marked(path: Path, lines: list[str]) -> tuple[str, ...]:
+    """Return a sentence on remarks that look like rows."""
+    marked = [
+        number
+        for number, line in enumerate(lines, start=1)
+        if is_comment(line)
+        and not line.lstrip().startswith(";")
+        and any(sum(map(is_number, split(line, sign))) > 1 for sign in DELIMITERS)
+    ]
+    if not marked:
+        return ()
+    return (
+        f"{len(marked)} rows of {path}, the first in line {marked[0]}, begin as remarks do and were left "
+        "out; remove the sign before them if they are wanted.",
+    )
 
 
 def _header(
@@ -108,6 +163,8 @@ def _header(
     candidates = (stated,) if stated else DELIMITERS
     delimiter = max(candidates, key=lambda sign: len(recognised(header_fields(line, sign), roles)))
     names = header_fields(line, delimiter)
+    while len(names) > 1 and not names[-1]:
+        names.pop()
     missing = [name for name in needed if name not in recognised(names, roles)]
     if missing:
         raise InputError(f"{path} has no column {' and no column '.join(missing)}; add or rename it.")

@@ -4,6 +4,9 @@ import re
 from typing import Optional
 
 METRES = {
+    **dict.fromkeys(
+        ("um", "micrometer", "micrometre", "micrometers", "micrometres", "micron", "microns"), 1e-6
+    ),
     **dict.fromkeys(("mm", "millimeter", "millimetre", "millimeters", "millimetres", "millimetri"), 1e-3),
     **dict.fromkeys(("cm", "centimeter", "centimetre", "centimeters", "centimetres", "zentimeter"), 1e-2),
     **dict.fromkeys(("dm", "decimeter", "decimetre", "dezimeter"), 1e-1),
@@ -12,32 +15,44 @@ METRES = {
 }
 """How long the units are that are converted."""
 
-FEET = (
-    "ft",
-    "feet",
-    "foot",
-    "usft",
-    "ftus",
-    "sft",
-    "in",
-    "inch",
-    "inches",
-    "yd",
-    "yard",
-    "yards",
-    "piedi",
-    "pied",
+REFUSED = frozenset(
+    (
+        *("ft", "feet", "foot", "usft", "ftus", "sft", "in", "inch", "inches", "yd", "yard", "yards"),
+        *("mi", "mile", "miles", "chain", "chains", "rod", "rods", "fathom", "fathoms"),
+        *("fuss", "zoll", "pied", "pieds", "pouce", "pouces", "toise", "toises"),
+        *("piede", "piedi", "pollice", "pollici", "pie", "pies", "pulgada", "pulgadas", "vara", "varas"),
+        *("deg", "degree", "degrees", "grad", "gon", "rad"),
+    )
 )
-"""Units that are refused, because there are several of their names."""
+"""Units that are refused: there are several of their names, or they are angles."""
+
+MARKS = {'"': "in", "''": "in", "'": "ft", "\u2032": "ft", "\u2033": "in", "\u00b0": "deg"}
+"""Units that are written as marks."""
 
 _BRACKETS = re.compile(r"[\[({<]\s*(?:in\s+)?([^\])}>]*?)\s*[\])}>]")
 _SUFFIX = re.compile(
-    r"(?<=[^\W_])(?:[\s_/]|\s+in\s+)(mm|cm|dm|km|m|ft|us-?ft|feet|foot|inch|inches|metres?|meters?)\s*$"
+    r"(?<=[^\W_])(?:[\s_/]|\s+(?:in|en)\s+)(µm|um|mm|cm|dm|km|m|ft|us-?ft|feet|foot|inch|inches|metres?|meters?)\s*$"
 )
-_REMARK = re.compile(
-    r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b\s*(?:[:=]|(?:in|are|is|sind|ist|sont|est|son|es)\b)"
-    r"\s*(?:in\s+)?(?:(?:us|survey|international|intl)[\s-]+)*([^\s,;]+)"
+_MULTIPLE = re.compile(r"[\d.,/*x\u00d7\s]*\d[\d.,/*x\u00d7\s]*([^\W\d]+)|([^\W\d]+)\s*/\s*\d+")
+"""A unit that is multiplied or divided, as in '0.1 mm'."""
+
+_UNIT = r"\b(?:units?|einheit(?:en)?|unit[ée]s?|unit[àa]|unidad(?:es)?)\b"
+_WHAT = (
+    r"(?:coordinates?|coords?|koordinaten|coordonn[ée]es|coordenadas|x\W*y\W*z|points?|punkte|values?|werte"
+    r"|lengths?|dimensions?|l[äa]ngen|ma(?:ß|ss)e|mesures|misure|medidas|data|daten)"
 )
+_REMARKS = (
+    re.compile(
+        _UNIT + r"\s*(?:[:=,;|\t]|(?:in|are|is|sind|ist|sont|est|son|es)\b)"
+        r"\s*(?:in\s+)?(?:(?:us|survey|international|intl)[\s-]+)*([^\s,;]+)"
+    ),
+    re.compile(rf"\W*(?:the\s+)?{_UNIT}\s+(\S+?)\W*"),
+    re.compile(
+        rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?{_WHAT}?"
+        r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*\s*(?:\b(?:in|en)\s|[:=(\[])\s*(\w+)\W*"
+    ),
+)
+"""How a remark states the unit: after a word for it, or as all that it says of the coordinates."""
 
 
 def unit_of(name: str) -> Optional[str]:
@@ -48,23 +63,26 @@ def unit_of(name: str) -> Optional[str]:
     """
     for match in (_BRACKETS.search(name.lower()), _SUFFIX.search(name.lower().strip(' "'))):
         unit = match and _plain(match.group(1))
-        if unit and (unit in METRES or unit in FEET):
+        if unit and _is_known(unit):
             return unit
     return None
 
 
 def unit_of_remark(line: str) -> Optional[str]:
-    """Return the unit that a line such as '# units: mm' states; None without one."""
-    match = _REMARK.search(line.lower())
-    unit = _plain(match.group(1)) if match else ""
-    # 'Unit in ...' is seldom about inches.
-    return unit if unit != "in" and (unit in METRES or unit in FEET) else None
+    """Return the unit that a line such as '# units: mm' or '# all in mm' states; None without one."""
+    text = line.lower().strip()
+    for match in (_REMARKS[0].search(text), *(pattern.fullmatch(text) for pattern in _REMARKS[1:])):
+        unit = _plain(match.group(1)) if match else ""
+        # 'Unit in ...' is seldom about inches.
+        if unit != "in" and _is_known(unit):
+            return unit
+    return None
 
 
 def is_unit(field: str) -> bool:
     """Whether a field holds nothing but a unit, as in a second line of a header."""
     plain = _plain(field.strip().strip("[](){}"))
-    return plain in METRES or plain in FEET
+    return plain in METRES or plain in REFUSED
 
 
 def as_unit(field: str) -> Optional[str]:
@@ -82,5 +100,14 @@ def factor_of(unit: Optional[str]) -> Optional[float]:
     return METRES.get(unit) if unit else 1.0
 
 
+def _is_known(unit: str) -> bool:
+    return unit in METRES or unit in REFUSED or bool(_MULTIPLE.fullmatch(unit))
+
+
 def _plain(unit: str) -> str:
-    return re.sub(r"[^a-z]", "", unit.lower())
+    """Return a unit in plain small letters; a multiple as it is written, so that it is refused."""
+    text = unit.lower().strip().replace("µ", "u").replace("\u03bc", "u").replace("ß", "ss")
+    multiple = _MULTIPLE.fullmatch(text)
+    if multiple and (multiple.group(1) or multiple.group(2)) in (*METRES, *REFUSED):
+        return text
+    return MARKS.get(text) or re.sub(r"[^a-z]", "", text)

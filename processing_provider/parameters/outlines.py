@@ -4,6 +4,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
@@ -19,6 +20,7 @@ from qgis.core import (
 )
 
 from ...algorithms.errors import InputError
+from ...algorithms.shapefile import refuse_damaged
 from .parameter import Parameter
 
 if TYPE_CHECKING:
@@ -57,6 +59,7 @@ class OutlineLayer(Parameter):
             text = algorithm.parameterAsString(parameters, self.name, context).strip()
             given = f"{self.name} {text} cannot be read" if text else f"{self.name} is empty"
             raise InputError(f"{given}; choose a layer of polygons.")
+        refuse_damaged(Path(_file(layer) or ""))
         return layer
 
     def _read(self, layer: QgsVectorLayer, source: str) -> Any:

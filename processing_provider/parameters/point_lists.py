@@ -23,6 +23,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QFile
 
 from ...algorithms.errors import InputError
+from ...algorithms.shapefile import refuse_damaged
 from .definitions import FileListDefinition, PointListDefinition
 from .files import split_paths
 from .parameter import Parameter
@@ -131,6 +132,7 @@ def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:
     path = Path(parts["path"]) if parts.get("path") else None
     if path is None or not path.is_file():
         return None, layer.name()
+    refuse_damaged(path)
     return path, list_name(path, parts.get("layerName")) if provider == "ogr" else path.stem
 
 

@@ -4,6 +4,7 @@ import errno
 from pathlib import Path
 
 import pytest
+from ichnograph.algorithms import files
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.files import atomic_output, new_folder
 
@@ -128,3 +129,15 @@ def test_a_folder_that_existed_is_kept(tmp_path):
 def test_a_folder_that_cannot_be_made_is_an_input_error(tmp_path):
     with pytest.raises(InputError, match="cannot be written"), new_folder(tmp_path / "a" / "b"):
         pass
+
+
+def test_a_full_disk_is_said_also_where_a_library_does_not_say_why_it_cannot_write(tmp_path, monkeypatch):
+    monkeypatch.setattr(files, "is_full", lambda folder: True)
+    full = pytest.raises(InputError, match="the disk is full; free some space")
+    with full, atomic_output(tmp_path / "cloud.laz"):
+        raise OSError("IoError: Failed to call write")
+
+
+def test_a_disk_is_full_if_less_is_left_than_outputs_take(tmp_path):
+    assert not files.is_full(tmp_path)
+    assert not files.is_full(tmp_path / "missing")

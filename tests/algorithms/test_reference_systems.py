@@ -84,12 +84,23 @@ def test_a_datum_shift_survives_without_the_heights():
     "wkt",
     [
         "",
-        'LOCAL_CS["drawing",UNIT["foot",0.3048]]',
+        'LOCAL_CS["drawing",UNIT["metre",1]]',
         CRS.from_epsg(4326).to_wkt().replace("WGS 84", UNDEFINED),
     ],
 )
 def test_a_layer_without_a_system_on_earth_has_none(wkt):
     assert parse_layer_wkt(wkt, "the layer walls") is None
+
+
+def test_a_layer_in_a_local_system_of_feet_is_refused():
+    with pytest.raises(InputError, match="of the layer walls are in foot"):
+        parse_layer_wkt('LOCAL_CS["drawing",UNIT["foot",0.3048]]', "the layer walls")
+
+
+def test_a_system_of_time_is_not_one_of_a_map():
+    wkt = 'TIMECRS["t",TDATUM["x"],CS[TemporalDateTime,1],AXIS["t",future]]'
+    with pytest.raises(InputError, match="of the cloud are not those of a map"):
+        require_metres(CRS.from_wkt(wkt), "the cloud")
 
 
 def test_a_layer_in_degrees_or_with_a_broken_system_is_refused():

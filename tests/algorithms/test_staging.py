@@ -1,5 +1,6 @@
 """Outputs of one run are replaced together, even if the run is killed while it replaces them."""
 
+import errno
 import json
 import os
 import subprocess
@@ -10,7 +11,7 @@ from pathlib import Path
 import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.files import Outputs
-from ichnograph.algorithms.staging import JOURNAL, SUFFIX, Move, Stage, recover, replace_all
+from ichnograph.algorithms.staging import JOURNAL, LEADER, SUFFIX, Move, Stage, recover, replace_all
 
 NAMES = ("walls.shp", "walls.shx", "walls.dbf", "walls.prj", "plan.tif", "report.html")
 RUN = """
@@ -171,3 +172,23 @@ def test_files_are_replaced_and_the_journal_goes(tmp_path):
     assert (tmp_path / "plan.tif").read_text() == "new"
     assert not stage.pending
     stage.close(keep=False)
+
+
+def test_a_disk_that_is_full_when_a_stage_is_made_keeps_no_litter(tmp_path, monkeypatch):
+    def full(*_, **__):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    first = Stage(tmp_path, "walls.shp")
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OSError, match="No space left"):
+        Stage(tmp_path, "plan.tif", first)
+    first.close(keep=False)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_stage_of_a_run_that_was_killed_while_it_named_its_leader_goes(tmp_path):
+    stage = Stage(tmp_path, "plan.tif")
+    (stage.path / LEADER).write_text("")
+    stage.close(keep=True)
+    recover(tmp_path)
+    assert list(tmp_path.iterdir()) == []

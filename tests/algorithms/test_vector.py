@@ -2,6 +2,7 @@
 
 import fiona
 import pytest
+from ichnograph.algorithms import vector
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.vector import write_vector
 from rasterio.crs import CRS
@@ -80,3 +81,12 @@ def test_the_same_layer_is_the_same_bytes_twice(tmp_path, monkeypatch):
 
     once, again = ((tmp_path / name / "walls.gpkg").read_bytes() for name in ("once", "again"))
     assert once == again
+
+
+def test_a_full_disk_is_said_instead_of_what_gdal_says(tmp_path, monkeypatch):
+    monkeypatch.setattr(vector, "is_full", lambda folder: True)
+    monkeypatch.setattr(fiona.Collection, "writerecords", lambda *_: 1 / len(()))
+    monkeypatch.setattr(vector, "FionaError", ZeroDivisionError)
+    with pytest.raises(InputError, match="because the disk is full; free some space"):
+        write_vector(tmp_path / "walls.gpkg", "Polygon", FIELDS, WALLS, None)
+    assert list(tmp_path.iterdir()) == []

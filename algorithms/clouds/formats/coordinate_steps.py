@@ -46,4 +46,8 @@ def _step(values: np.ndarray, settings: PrecisionSettings) -> float:
         steps = np.spacing(np.abs(nearest)).astype(np.float64)
     # Other numbers are within an eighth of a step of single precision once in four.
     single = np.abs(values - nearest) <= steps / 8
-    return float(np.median(steps)) if single.mean() >= settings.single_share else 0.0
+    # Half of the numbers of single precision are odd multiples of their step, and none of rounder numbers.
+    odd = np.mod(nearest / steps, 2) == 1
+    if single.mean() < settings.single_share or odd.mean() < settings.odd_share:
+        return 0.0
+    return float(np.median(steps))

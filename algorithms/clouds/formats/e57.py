@@ -1,6 +1,6 @@
 """E57, read by the libE57Format of the optional package pye57."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,6 +23,9 @@ from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
 LARGEST_BLOCK = 2**28
 """Bytes of fields that are read at once, however many a scan has."""
+
+LARGEST_AZIMUTH, LARGEST_ELEVATION = 2 * np.pi + 0.01, np.pi / 2 + 0.01
+"""Radians, with some rounding."""
 
 
 @dataclass(frozen=True)
@@ -58,9 +61,13 @@ class E57Source(Source):
         samples = [(scan, _sample(path, scan, settings)) for scan in scans if scan.count]
         if not any(len(data[scan.coordinates[0]]) for scan, data in samples):
             raise no_points(path)
-        factor = _colour_factor(samples)
+        for scan, data in samples:
+            _refuse_degrees(path, scan, data)
+        ranges = [_ranges(path, scan, data, settings) for scan, data in samples]
+        factor = rgb_factor(np.concatenate([colours for colours, _ in ranges]))
         scans = tuple(
-            replace(scan, rgb_factor=factor, intensity=_intensity(scan, data)) for scan, data in samples
+            replace(scan, rgb_factor=factor, intensity=intensity_scale(values, relative=True))
+            for (scan, _), (_, values) in zip(samples, ranges)
         )
         crs, warnings = read_crs(path, lambda: parse_wkt(wkt) if wkt.strip() else None)
         first, sample = next(pair for pair in samples if len(pair[1][pair[0].coordinates[0]]))
@@ -70,7 +77,7 @@ class E57Source(Source):
         return cls(
             path=path,
             crs=crs,
-            warnings=(*warnings, *doubts),
+            warnings=(*warnings, *doubts, *_unlike(path, scans)),
             middle=np.median(_positions(sample, first), axis=0),
             has_intensity=any("intensity" in scan.fields for scan in scans),
             has_rgb=any(set(COLOUR) <= set(scan.fields) for scan in scans),
@@ -108,6 +115,8 @@ class E57Source(Source):
         summand, factor = scan.intensity
         intensity = to_uint16((data["intensity"] + summand) * factor) if "intensity" in data else none
         rgb = np.stack([data.get(name, none) for name in COLOUR], axis=1)
+        intensity[~_is_known(data, "isIntensityInvalid")] = 0
+        rgb[~_is_known(data, "isColorInvalid")] = 0
         attributes = {name: data.get(name, none) for name, _ in self.attributes}
         normals = [list(attributes)[index] for index in find_normals(list(attributes)) or ()]
         if normals:
@@ -142,7 +151,8 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
         image = libe57.ImageFile(str(path), "r")
         yield libe57, image
     except libe57.E57Exception as error:
-        detail = str(error).strip().splitlines()[0]
+        # Some errors of the library have no text.
+        detail = next(iter(str(error).strip().splitlines()), "its parts contradict each other")
         raise InputError(f"{path} is truncated or damaged ({detail}); copy or export it again.") from error
     finally:
         if image is not None:
@@ -188,22 +198,78 @@ def _sample(path: Path, scan: Scan, settings: ReadingSettings) -> dict[str, np.n
     )
 
 
-def _intensity(scan: Scan, data: dict[str, np.ndarray]) -> tuple[float, float]:
-    """Return the scale of the intensity from the range that is announced and the one that occurs."""
-    values = np.concatenate([scan.intensity_limits, data.get("intensity", np.empty(0))])
-    return intensity_scale(values, relative=True)
+def _ranges(
+    path: Path, scan: Scan, data: dict[str, np.ndarray], settings: ReadingSettings
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return colours, shape (n, 3), and intensities that have the ranges of those of a scan.
+
+    All points are looked at if the sample cannot show their range: where nothing, or a much wider range,
+    is announced.
+    """
+    colours, intensity = _colours(data), _intensities(data)
+    unsure = scan.is_colour_wider_than(colours) or scan.is_intensity_wider_than(intensity)
+    is_sample = len(data[scan.coordinates[0]]) < scan.count
+    if is_sample and unsure:
+        for block in _blocks(path, scan, settings.chunk_points):
+            colours = _extremes(np.concatenate([colours, _colours(block)]))
+            intensity = _extremes(np.concatenate([intensity, _intensities(block)]))
+    elif is_sample and len(colours) and scan.brightest > 1:
+        colours = np.concatenate([colours, np.full((1, 3), scan.brightest)])
+    if not scan.is_intensity_wider_than(intensity):
+        intensity = np.concatenate([intensity, scan.intensity_limits])
+    return colours, intensity
 
 
-def _colour_factor(samples: list[tuple[Scan, dict[str, np.ndarray]]]) -> float:
-    """Return the factor of the colours of a file, whose scans have one range."""
-    colours = [np.empty((0, 3))]
-    for scan, data in samples:
-        if set(COLOUR) <= data.keys():
-            colours.append(np.stack([data[name] for name in COLOUR], axis=1))
-            # Of a large scan the brightest points may not be among the sample.
-            if len(data[COLOUR[0]]) < scan.count and scan.brightest > 1:
-                colours.append(np.full((1, 3), scan.brightest))
-    return rgb_factor(np.concatenate(colours))
+def _extremes(values: np.ndarray) -> np.ndarray:
+    return np.stack([values.min(axis=0), values.max(axis=0)]) if len(values) else values
+
+
+def _colours(data: dict[str, np.ndarray]) -> np.ndarray:
+    """Return the colours that are known, shape (n, 3)."""
+    if not set(COLOUR) <= data.keys():
+        return np.empty((0, 3))
+    colours = np.stack([data[name] for name in COLOUR], axis=1)
+    return colours[_is_known(data, "isColorInvalid") & np.isfinite(colours).all(axis=1)]
+
+
+def _intensities(data: dict[str, np.ndarray]) -> np.ndarray:
+    """Return the intensities that are known, shape (n,)."""
+    if "intensity" not in data:
+        return np.empty(0)
+    return data["intensity"][_is_known(data, "isIntensityInvalid") & np.isfinite(data["intensity"])]
+
+
+def _is_known(data: dict[str, np.ndarray], mark: str) -> np.ndarray:
+    """Return which points are not marked as having an invalid value."""
+    count = len(next(iter(data.values())))
+    return data[mark] == 0 if mark in data else np.ones(count, bool)
+
+
+def _unlike(path: Path, scans: Sequence[Scan]) -> tuple[str, ...]:
+    """Return a sentence if some scans have colour or intensity and others not."""
+    lacking = [
+        name
+        for name, fields in (("intensity", {"intensity"}), ("colour", set(COLOUR)))
+        if len({fields <= set(scan.fields) for scan in scans}) > 1
+    ]
+    if not lacking:
+        return ()
+    return (
+        f"Some scans of {path} have no {' and no '.join(lacking)}, which counts as 0 there; export all scans "
+        "alike.",
+    )
+
+
+def _refuse_degrees(path: Path, scan: Scan, data: dict[str, np.ndarray]) -> None:
+    """Refuse angles of polar coordinates that cannot be the radians that E57 prescribes."""
+    if scan.coordinates != SPHERICAL:
+        return
+    _, azimuth, elevation = (np.abs(data[name]).max(initial=0) for name in SPHERICAL)
+    if azimuth > LARGEST_AZIMUTH or elevation > LARGEST_ELEVATION:
+        raise InputError(
+            f"{path} has angles of up to {max(azimuth, elevation):.0f}, though E57 prescribes radians; "
+            "export it again with Cartesian coordinates."
+        )
 
 
 def _coarse(path: Path, data: dict[str, np.ndarray]) -> tuple[str, ...]:

@@ -17,6 +17,9 @@ INVALID = ("cartesianInvalidState", "sphericalInvalidState")
 """Fields that are not 0 where there is no point."""
 
 
+DEPTHS = (1, 255, 65535)
+"""The largest colours that programs write."""
+
 UNKNOWN = (float("nan"), float("nan"))
 """The limits of a field for which none are announced."""
 
@@ -69,6 +72,18 @@ class Scan:
     def coordinates(self) -> tuple[str, ...]:
         """The fields of the positions."""
         return CARTESIAN if set(CARTESIAN) <= set(self.fields) else SPHERICAL
+
+    def is_colour_wider_than(self, colours: np.ndarray) -> bool:
+        """Whether a greater depth is announced than that of a sample of colours, shape (n, 3); or none is."""
+        if not len(colours):
+            return False
+        brightest = colours.max()
+        return not self.brightest <= next((depth for depth in DEPTHS if brightest <= depth), np.inf)
+
+    def is_intensity_wider_than(self, intensity: np.ndarray) -> bool:
+        """Whether a sample, shape (n,), has less than one of 256 steps of the range that is announced."""
+        low, high = self.intensity_limits
+        return len(intensity) > 0 and not np.ptp(intensity) >= abs(high - low) / 256
 
 
 def describe(library: Any, path: Path, node: Any, number: int) -> Scan:

@@ -68,7 +68,8 @@ class LasSource(Source):
         usable = is_usable(sample)
         if not usable.any():
             raise no_points(path)
-        xyz = coordinates(sample, header.scales, header.offsets)[usable]
+        share, sample = float(usable.mean()), sample[usable]
+        xyz = coordinates(sample, header.scales, header.offsets)
         rgb = _colour(sample)
         brightest = 0 if rgb is None else rgb.max()
         return cls(
@@ -77,7 +78,7 @@ class LasSource(Source):
             warnings=(
                 *warnings,
                 *count_warning(path),
-                *_left_out(path, 1 - usable.mean()),
+                *_left_out(path, 1 - share),
                 *step_warning(path, xyz),
             ),
             middle=np.median(xyz, axis=0),

@@ -10,6 +10,9 @@ import numpy as np
 
 from ...errors import InputError
 from ...progress import Progress
+from ...tables.column_names import CLOUD, recognised
+from ...tables.header import metres_of
+from ...tables.units import unit_of_remark
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .coordinate_steps import step_warning
@@ -35,8 +38,9 @@ Element = tuple[str, int, list[list[str]]]
 
 COORDINATES = ("x", "y", "z")
 COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b"))
-INTENSITIES = ("intensity", "scalar_intensity", "reflectance", "scalar_reflectance")
 """What properties are called, in small letters."""
+
+REMARKS = ("comment", "obj_info")
 
 MOST_DIGITS = 15
 """Of the number of elements; no disk holds more."""
@@ -62,6 +66,10 @@ class Layout:
     count : int
     dtype : dtype
         Of a vertex.
+    unit : str or None
+        The unit of the coordinates, if a comment states one.
+    metres : float
+        How many metres it is.
     """
 
     encoding: str
@@ -70,6 +78,8 @@ class Layout:
     header: int
     count: int
     dtype: np.dtype
+    unit: Optional[str]
+    metres: float
 
 
 @dataclass(frozen=True)
@@ -112,14 +122,14 @@ class PlySource(Source):
         layout = _read_layout(path)
         sample = _sample(path, layout, settings)
         xyz = _named(layout.dtype, COORDINATES) or COORDINATES
-        intensity = next((name for name in layout.dtype.names if name.lower() in INTENSITIES), None)
+        intensity = _intensity(layout.dtype)
         rgb = next(filter(None, (_named(layout.dtype, colour) for colour in COLOURS)), None)
         positions = _columns(sample, xyz)
         return cls(
             path=path,
             crs=None,
-            warnings=step_warning(path, positions),
-            middle=np.median(positions, axis=0),
+            warnings=(*_converted(path, layout), *step_warning(path, positions, (layout.metres,) * 3)),
+            middle=np.median(positions, axis=0) * layout.metres,
             has_intensity=intensity is not None,
             has_rgb=rgb is not None,
             layout=layout,
@@ -127,7 +137,7 @@ class PlySource(Source):
             intensity=intensity,
             intensity_scale=intensity_scale(sample[intensity].astype(float)) if intensity else (0.0, 1.0),
             rgb=rgb,
-            rgb_factor=rgb_factor(_columns(sample, rgb)) if rgb else 1.0,
+            rgb_factor=rgb_factor(_colour(sample, rgb)) if rgb else 1.0,
         )
 
     @property
@@ -147,9 +157,9 @@ class PlySource(Source):
         for points, fraction in _blocks(self.path, self.layout, size):
             if len(points):
                 yield Chunk(
-                    _columns(points, self.xyz) - origin,
+                    _columns(points, self.xyz) * self.layout.metres - origin,
                     to_uint16((points[self.intensity] + summand) * factor) if self.intensity else None,
-                    scaled_colour(self.path, _columns(points, self.rgb), self.rgb_factor)
+                    scaled_colour(self.path, _colour(points, self.rgb), self.rgb_factor)
                     if self.rgb
                     else None,
                     {name: points[name] for name, _ in self.attributes},
@@ -161,6 +171,19 @@ def _named(dtype: np.dtype, names: tuple[str, ...]) -> Optional[tuple[str, ...]]
     """Return the properties with names in any letters, of which all are needed."""
     spelt = {name.lower(): name for name in reversed(dtype.names or ())}
     return tuple(spelt[name] for name in names) if set(names) <= spelt.keys() else None
+
+
+def _intensity(dtype: np.dtype) -> Optional[str]:
+    """Return the property that holds the intensity."""
+    names = list(dtype.names or ())
+    column = recognised(names, {"intensity": CLOUD["intensity"]}).get("intensity")
+    return None if column is None else names[column]
+
+
+def _converted(path: Path, layout: Layout) -> tuple[str, ...]:
+    if layout.metres == 1:
+        return ()
+    return (f"{path} gives coordinates in {layout.unit}; they were converted to metres.",)
 
 
 def _sample(path: Path, layout: Layout, settings: ReadingSettings) -> np.ndarray:
@@ -190,6 +213,13 @@ def _sample(path: Path, layout: Layout, settings: ReadingSettings) -> np.ndarray
 def _columns(points: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
     with np.errstate(invalid="ignore"):
         return np.stack([points[name].astype(np.float64) for name in names], axis=1)
+
+
+def _colour(points: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
+    """Return the colour; some programs announce its bytes as signed ones."""
+    colour = _columns(points, names)
+    signed = np.array([points.dtype[name] == np.int8 for name in names])
+    return np.where(signed & (colour < 0), colour + 256, colour)
 
 
 def _blocks(path: Path, layout: Layout, size: int) -> Iterator[tuple[np.ndarray, float]]:
@@ -240,6 +270,11 @@ def _of_type(path: Path, name: str, column: np.ndarray, kind: np.dtype) -> np.nd
             return column.astype(kind)
     limits = np.iinfo(kind)
     whole = np.nan_to_num(column)
+    if np.any(whole % 1):
+        raise InputError(
+            f"{path} has a property {name} with decimals where its header announces whole numbers; export it "
+            "again."
+        )
     if np.any((whole < limits.min) | (whole > limits.max)):
         raise InputError(f"{path} has a property {name} beyond the range of its type; export it again.")
     return whole.astype(kind)
@@ -258,13 +293,21 @@ def _read_layout(path: Path) -> Layout:
     for name, count, properties in _elements(path, lines):
         if name == "vertex":
             dtype = _vertex(path, properties, BYTE_ORDERS[encoding])
-            layout = Layout(encoding, start, lines_before, len(lines), count, dtype)
+            unit = _stated_unit(lines)
+            metres = metres_of(path, unit)
+            layout = Layout(encoding, start, lines_before, len(lines), count, dtype, unit, metres)
             _check_length(path, layout)
             return layout
         lines_before += count
         if encoding != "ascii":
             start += count * _record(path, properties, BYTE_ORDERS[encoding]).itemsize
     raise no_points(path)
+
+
+def _stated_unit(lines: list[list[str]]) -> Optional[str]:
+    """Return the unit that a comment states; None without one."""
+    remarks = (" ".join(words[1:]) for words in lines if words[0] in REMARKS)
+    return next(filter(None, map(unit_of_remark, remarks)), None)
 
 
 def _check_length(path: Path, layout: Layout) -> None:

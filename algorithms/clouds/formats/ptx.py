@@ -88,7 +88,12 @@ class PtxSource(Source):
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")
         summand, factor = self.intensity_scale
+        usual = 3 + self.has_intensity + 3 * self.has_rgb
+        said = False
         for points, scan, fraction, doubt, station in _blocks(self.path, self.encoding, size):
+            if points.shape[1] != usual and not said:
+                said = True
+                progress.update(fraction, _mixed(self.path, usual, points.shape[1]))
             full = np.zeros((len(points), WIDTHS[-1]))
             full[:, : points.shape[1]] = points
             if len(points):
@@ -100,6 +105,15 @@ class PtxSource(Source):
                     station=station - origin if np.any(station) else None,
                 )
             progress.update(fraction, doubt)
+
+
+def _mixed(path: Path, usual: int, width: int) -> str:
+    what = "colour" if {usual, width} == {4, 7} else "intensity or colour"
+    lost = "is 0 there" if width < usual else "is left out there"
+    return (
+        f"Scans of {path.name} have unlike columns, {usual} in the first and {width} in others, so {what} "
+        f"{lost}; export all scans alike."
+    )
 
 
 def _encoding(path: Path) -> str:
@@ -157,7 +171,8 @@ def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int,
     first = last = number
     for line in stream:
         last += 1
-        if not line.strip(" \t\r\n\x1a"):
+        # The end of a file in DOS is no content either.
+        if not line.replace("\x1a", " ").split():
             continue
         first = first if lines else last - 1
         lines.append(line)

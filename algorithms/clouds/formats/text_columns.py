@@ -11,6 +11,9 @@ from ...errors import InputError
 from ...tables.dialect import is_number
 from ..settings import TextSettings
 
+FEWEST_COUNTED = 10
+"""Rows beyond which a column that counts them is no coordinate."""
+
 
 @dataclass(frozen=True)
 class Columns:
@@ -67,8 +70,14 @@ def columns_by_count(
     """
     shares = np.mean([[is_number(field) for field in row] for row in rows], axis=0)
     numeric = np.flatnonzero(shares >= settings.numeric_share).tolist()
-    if len(numeric) > 3 and _is_label(rows, values, numeric):
-        numeric = numeric[1:]
+    if len(numeric) > 3:
+        if _is_label(rows, values, numeric):
+            numeric = numeric[1:]
+        elif _may_be_label(rows, values, numeric, settings):
+            raise InputError(
+                f"The first column of {path} can be x, or the number or time of a point; name the columns in "
+                "a first line, as 'x y z intensity' or 'time x y z'."
+            )
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as x y z.")
     xyz, extra = tuple(numeric[:3]), numeric[3:]
@@ -158,13 +167,35 @@ def _agreement(values: np.ndarray) -> float:
 def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> bool:
     """Whether the first numeric column only numbers the points.
 
-    It does if none of its values repeats or has decimals, while the next three columns have decimals.
+    It does if it counts them, or if none of its values repeats or has decimals, while the next three columns
+    have decimals.
     """
     labels = [row[numeric[0]] for row in rows]
     coordinates = values[:, numeric[1:4]]
     whole = not any(re.search("[.,]", label) for label in labels)
     fractional = np.all(np.any(coordinates % 1 > 0, axis=0))
+    counted = values[:, numeric[0]] - np.arange(len(rows))
+    if len(rows) > FEWEST_COUNTED and counted[0] in (0, 1) and np.all(counted == counted[0]):
+        return True
     return whole and fractional and len(rows) > 1 and len(set(labels)) == len(rows)
+
+
+def _may_be_label(
+    rows: list[list[str]], values: np.ndarray, numeric: list[int], settings: TextSettings
+) -> bool:
+    """Whether the first numeric column may number the points or their scans, or state the time of each.
+
+    Numbers are whole while the next three columns have decimals; times always rise. The fourth column then is
+    z and not intensity, of which decimals are a part of 1.
+    """
+    first, fourth = values[:, numeric[0]], values[:, numeric[3]]
+    if not np.any(fourth % 1) or np.abs(fourth).max() <= 1:
+        return False
+    written = [rows[0][numeric[0]], rows[-1][numeric[0]]]
+    whole = not np.any(first % 1) and not any(re.search("[.,]", field) for field in written)
+    fractional = np.all(np.any(values[:, numeric[1:4]] % 1 > 0, axis=0))
+    rises = len(first) >= settings.fewest_for_agreement and bool(np.all(np.diff(first) > 0))
+    return bool(whole and fractional) or rises
 
 
 def _looks_like_colour(values: np.ndarray) -> bool:

@@ -8,9 +8,18 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
-from ...tables.dialect import Dialect, decimal_signs, delimiter_and_width, is_row, split
+from ...tables.dialect import (
+    Dialect,
+    decimal_signs,
+    delimiter_and_width,
+    is_comment,
+    is_remark,
+    is_row,
+    split,
+)
 from ...tables.encoding import encoding_of
 from ...tables.header import read_preamble
+from ...tables.units import factor_of
 from ..settings import TextSettings
 from .text_columns import Columns, columns_by_count, columns_by_name
 
@@ -73,15 +82,27 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         dialect=dialect,
         columns=columns,
         metres=metres,
-        preamble=numbers[0],
+        preamble=_first_row(lines, numbers[0], columns, dialect),
         announced=header.announced,
         middle=_middle(path, values[:, columns.xyz]) * metres,
-        warnings=warnings + _converted(path, header.units, metres),
+        warnings=warnings + _converted(path, header.units),
     )
 
 
-def _converted(path: Path, units: dict[str, str], metres: tuple[float, float, float]) -> tuple[str, ...]:
-    others = sorted({unit for unit, factor in zip(units.values(), metres) if factor != 1})
+def _first_row(lines: list[str], regular: int, columns: Columns, dialect: Dialect) -> int:
+    """Return the number of lines before the first row, whose name may begin as a remark does."""
+    if 0 in columns.used:
+        return regular
+    rows = (index for index in range(regular) if _is_marked_row(lines[index], dialect))
+    return next(rows, regular)
+
+
+def _is_marked_row(line: str, dialect: Dialect) -> bool:
+    return is_comment(line) and not is_remark(line, dialect.delimiter, dialect.width)
+
+
+def _converted(path: Path, units: dict[str, str]) -> tuple[str, ...]:
+    others = sorted({unit for unit in units.values() if factor_of(unit) != 1})
     return (
         (f"{path} gives coordinates in {' and '.join(others)}; they were converted to metres.",)
         if others

@@ -49,7 +49,10 @@ def copied_header(path: Path) -> tuple[laspy.LasHeader, list[laspy.VLR]]:
     with open_reader(path) as reader:
         header = reader.header
     header.vlrs[:] = [record for record in header.vlrs if record.user_id != "copc"]
-    header.version = min(max(header.version, laspy.header.Version(1, 2)), laspy.header.Version(1, 4))
+    # Some programs state a version in which there is no such point format.
+    oldest = laspy.point.dims.preferred_file_version_for_point_format(header.point_format.id)
+    version = max(header.version, laspy.header.Version(1, 2), laspy.header.Version.from_str(oldest))
+    header.version = min(version, laspy.header.Version(1, 4))
     return header, [record for record in header.evlrs or [] if record.user_id != "copc"]
 
 

@@ -4,6 +4,7 @@ import codecs
 import sqlite3
 from collections.abc import Iterable, Iterator
 from contextlib import closing, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Optional
 
@@ -12,6 +13,7 @@ import numpy as np
 
 from ...errors import CancelledError, InputError
 from ...reference_systems import parse_layer_wkt
+from ...shapefile import lacks_table, refuse_damaged
 from ...tables.column_names import POINTS, simplified
 from ...tables.header import metres_of
 from ...tables.units import unit_of
@@ -28,6 +30,9 @@ CONTROL_OUT = {"name", "origin", "seen_by", *STDS}
 
 SURVEYED = "surveyed"
 
+LOWEST_M = -1000.0
+"""No surveyed point is lower; what is, stands for a height that is not known."""
+
 SUFFIXES = (".shp", ".gpkg", ".geojson", ".json", ".fgb")
 
 
@@ -43,7 +48,11 @@ def read_layer(path: Path, layer: Optional[str], settings: ListSettings = ListSe
         If the system refuses to read it.
     """
     with _opened(path, layer) as features:
-        return read_features(str(path), map(_point_and_attributes, features), features.crs_wkt, settings)
+        rows = read_features(str(path), map(_point_and_attributes, features), features.crs_wkt, settings)
+    if not lacks_table(path):
+        return rows
+    said = f"{path} has no table (.dbf) beside it, so its points have no names; copy all its parts."
+    return replace(rows, warnings=(*rows.warnings, said))
 
 
 def list_name(path: Path, layer: Optional[str]) -> str:
@@ -153,6 +162,7 @@ def _point_layers(path: Path) -> list[str]:
 def _gdal_errors_named(path: Path) -> Iterator[None]:
     try:
         _check_tables(path)
+        refuse_damaged(path)
         yield
     except (InputError, CancelledError):
         raise
@@ -196,27 +206,41 @@ def _positions(
     """Return the positions, and a warning if their heights are those of a field although they have Z."""
     field = next(iter(_fields(attributes, "z")), None)
     plane = np.array([point[:2] for point in points], dtype=np.float64)
-    if all(len(point) == 3 for point in points):
-        heights = np.array([point[2] for point in points], dtype=np.float64)
-        if field is None or heights.any():
-            return np.column_stack([plane, heights]), ()
-    if field is None:
+    heights = np.array([point[2] if len(point) == 3 else np.nan for point in points], dtype=np.float64)
+    if field is None and any(len(point) < 3 for point in points):
         raise InputError(
             f"The points of {source} have no heights; give them Z values, or a field of numbers called z."
         )
-    factor = metres_of(Path(source), unit_of(field))
-    numbers = np.array([_number(values[field]) for values in attributes]) * factor
-    if len(points[0]) < 3:
-        return np.column_stack([plane, numbers]), ()
-    if not numbers.any() or not np.isfinite(numbers).all():
+    if field is None:
         return np.column_stack([plane, heights]), ()
-    said = f"Z is 0 everywhere in {source}, so the heights are those of its field {field}."
-    return np.column_stack([plane, numbers]), (said,)
+    numbers = np.array([_number(values[field]) for values in attributes]) * metres_of(
+        Path(source), unit_of(field)
+    )
+    if all(len(point) < 3 for point in points):
+        return np.column_stack([plane, numbers]), ()
+    empty = (heights == 0) | (heights < LOWEST_M) | np.isnan(heights)
+    lost = empty & np.isfinite(numbers) & (numbers != 0)
+    if not lost.any():
+        return np.column_stack([plane, heights]), ()
+    if empty.all() and np.isfinite(numbers).all():
+        said = f"Z is {_what(heights)} everywhere in {source}, so the heights are those of its field {field}."
+        return np.column_stack([plane, numbers]), (said,)
+    said = (
+        f"Z is {_what(heights[empty])} at {empty.sum()} points of {source}, though its field {field} holds "
+        "heights of some of them; correct Z, or fill in the field."
+    )
+    return np.column_stack([plane, heights]), (said,)
+
+
+def _what(heights: np.ndarray) -> str:
+    """Return what stands instead of heights, in words."""
+    return "0" if not heights.any() else "0 or no height"
 
 
 def _number(value: Any) -> float:
+    """Return a number, also one that is text with a decimal comma; nan for anything else."""
     try:
-        return float(value)
+        return float(value.replace(",", ".") if isinstance(value, str) else value)
     except (TypeError, ValueError):
         return np.nan
 

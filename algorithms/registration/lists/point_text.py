@@ -20,6 +20,7 @@ from ...tables.dialect import (
 )
 from ...tables.encoding import read_lines
 from ...tables.header import Header, read_preamble
+from ...tables.units import factor_of
 from .point_rows import Rows
 from .settings import ListSettings
 
@@ -86,7 +87,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     _refuse_bad_rows(path, rows, dialect, columns)
     xyz = np.array([[dialect.number(row[column]) for column in columns.xyz] for row in rows.values()])
     metres = header.factors(path)
-    units = sorted({unit for unit, factor in zip(header.units.values(), metres) if factor != 1})
+    units = sorted({unit for unit in header.units.values() if factor_of(unit) != 1})
     return Rows(
         source=str(path),
         places=tuple(f"line {number}" for number in rows),
@@ -95,6 +96,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         warnings=(
             *(f"{path} gives coordinates in {unit}; they were converted to metres." for unit in units),
             *_warnings(path, rows.values(), columns),
+            *_marked(path, lines, delimiter, width),
         ),
     )
 
@@ -233,3 +235,23 @@ def _warnings(path: Path, rows: Iterable[list[str]], columns: ListColumns) -> tu
     left_out = any(field for row in rows for column, field in enumerate(row) if column not in columns.used)
     read = "name, x, y and z" if columns.name else "x, y and z"
     return (f"Only {read} of {path} were read; its further columns were left out.",) if left_out else ()
+
+
+def _marked(path: Path, lines: list[str], delimiter: str, width: int) -> tuple[str, ...]:
+    """Return a sentence on remarks that look like the points."""
+    marked = []
+    for number, line in enumerate(lines, start=1):
+        if _is_remark(line, delimiter, width):
+            readings = (line, line.lstrip(" \t#/;"))
+            if any(_is_shaped_as_point(text, delimiter, width) for text in readings):
+                marked.append(number)
+    if not marked:
+        return ()
+    return (
+        f"{len(marked)} rows of {path}, the first in line {marked[0]}, begin as remarks do and were left "
+        "out; remove the sign before them if they are points.",
+    )
+
+
+def _is_shaped_as_point(line: str, delimiter: str, width: int) -> bool:
+    return len(split(line, delimiter)) == width and _numbers(line, delimiter) >= 3

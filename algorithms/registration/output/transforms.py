@@ -16,6 +16,7 @@ from rasterio.errors import CRSError
 from ...errors import InputError
 from ...files import atomic_output
 from ...reference_systems import horizontal, is_local, require_metres
+from ...tables.units import as_unit, factor_of
 from ..results import REGISTERED, Correspondence, Registration, ScanRegistration
 
 ORTHOGONAL = 5e-6
@@ -160,7 +161,7 @@ def read_transforms(path: Path) -> Transforms:
     try:
         if path.stat().st_size > MOST_BYTES:
             raise InputError(f"{path} is too large; choose the TRANSFORMS of registerscans.")
-        document = json.loads(path.read_text(encoding="utf-8-sig"))
+        document = json.loads(path.read_bytes())
     except OSError as error:
         raise InputError(
             f"{path} cannot be read ({error.strerror or error}); check that it exists and may be read."
@@ -170,12 +171,21 @@ def read_transforms(path: Path) -> Transforms:
     entries = document.get("scans") if isinstance(document, dict) else None
     if not (isinstance(entries, list) and entries):
         raise InputError(f"{path} lists no scans; choose the TRANSFORMS of registerscans.")
+    _refuse_other_units(path, document)
     scans = tuple(_read_scan(path, number, entry) for number, entry in enumerate(entries, start=1))
     counts = Counter(scan.name for scan in scans)
     repeated = next((name for name, count in counts.items() if count > 1), None)
     if repeated:
         raise InputError(f"{path} lists the scan {repeated} twice; remove one entry.")
     return Transforms(path, scans, _read_crs(path, document.get("crs")))
+
+
+def _refuse_other_units(path: Path, document: dict[str, Any]) -> None:
+    """Refuse matrices whose unit is stated and is not metres."""
+    for key in ("unit", "units"):
+        unit = document.get(key)
+        if unit is not None and factor_of(as_unit(str(unit))) != 1:
+            raise InputError(f"{path} gives matrices in {unit}; write shifts in metres.")
 
 
 def _read_scan(path: Path, number: int, entry: Any) -> ScanTransform:

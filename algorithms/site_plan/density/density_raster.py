@@ -8,6 +8,7 @@ import numpy as np
 import rasterio
 from affine import Affine
 from rasterio.crs import CRS
+from rasterio.enums import ColorInterp
 
 from ...errors import CancelledError, InputError
 from ...raster import write_raster
@@ -18,6 +19,8 @@ from .settings import SiteSettings
 
 BANDS = ("density", "occupied height", "base", "top", "ground", "spread", "hanging height")
 """Descriptions of the bands of a density raster."""
+
+COLOURS = (ColorInterp.red, ColorInterp.palette)
 
 NO_CRS = "The raster has no coordinate reference system, so the results have none either."
 
@@ -73,7 +76,8 @@ def read_density(path: Path, settings: SiteSettings = SiteSettings()) -> Density
         with rasterio.open(path) as raster:
             _check_size(path, raster, settings)
             bands = dict(zip(raster.descriptions, range(1, raster.count + 1)))
-            _check_grid(path, raster)
+            _check_grid(path, raster, settings)
+            _check_values(path, raster)
             complete = set(BANDS) <= set(bands)
             arrays = [_filled(raster, bands[name]) for name in BANDS] if complete else [_filled(raster, 1)]
             transform, crs = raster.transform, raster.crs
@@ -101,15 +105,29 @@ def _check_size(path: Path, raster: rasterio.DatasetReader, settings: SiteSettin
         )
 
 
-def _check_grid(path: Path, raster: rasterio.DatasetReader) -> None:
+def _check_grid(path: Path, raster: rasterio.DatasetReader, settings: SiteSettings) -> None:
     t = raster.transform
     if t.is_identity:
         raise InputError(f"INPUT {path}: is not georeferenced; give the output of 'densityimage'.")
-    if t.b or t.d or t.a <= 0 or abs(t.a + t.e) > 1e-6 * t.a:
+    if not np.isfinite(t).all() or t.b or t.d or t.a <= 0 or abs(t.a + t.e) > 1e-6 * t.a:
         raise InputError(f"INPUT {path}: pixels must be square and north up; resample it with the Warp tool.")
+    if not settings.smallest_pixel_m <= t.a <= settings.largest_pixel_m:
+        raise InputError(f"INPUT {path}: has pixels of {t.a:.3g} m; give the output of 'densityimage'.")
     if raster.crs:
         require_metres(raster.crs, str(path))
 
 
+def _check_values(path: Path, raster: rasterio.DatasetReader) -> None:
+    """Refuse pictures, whose first band is a colour, and complex numbers."""
+    if raster.colorinterp[0] in COLOURS or np.dtype(raster.dtypes[0]).kind == "c":
+        raise InputError(f"INPUT {path}: holds a picture, not densities; give the output of 'densityimage'.")
+
+
 def _filled(raster: rasterio.DatasetReader, number: int) -> np.ndarray:
-    return raster.read(number, masked=True).astype(np.float32).filled(np.nan)
+    """Return a band as float32, with its scale and offset applied; nan where there is no value."""
+    values = raster.read(number, masked=True)
+    scale, offset = raster.scales[number - 1], raster.offsets[number - 1]
+    if (scale, offset) != (1, 0):
+        values = values * scale + offset
+    with np.errstate(over="ignore"):
+        return values.astype(np.float32).filled(np.nan)

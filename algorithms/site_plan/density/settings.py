@@ -16,6 +16,8 @@ class SiteSettings:
         0.1, "Reflections are thin: fewer points per tile than this share of the main part's."
     )
     most_pixels: int = physical(100_000_000, "A square kilometre at 10 cm; it takes about 8 GB of memory.")
+    smallest_pixel_m: float = physical(1e-3, "No scan is denser.")
+    largest_pixel_m: float = physical(10.0, "Larger pixels hold no wall.")
 
 
 @dataclass(frozen=True)

@@ -84,3 +84,21 @@ def test_a_schedule_without_heights_is_refused(write):
 def test_a_file_that_is_missing_is_named(tmp_path):
     with pytest.raises(InputError, match=r"none\.csv cannot be read"):
         read_schedule(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize("value", ["0", "-0.9"])
+def test_a_length_is_positive_but_a_sill_may_lie_below_the_ground(write, value):
+    with pytest.raises(InputError, match=f"Line 2 of .*: the width {value} is not a length"):
+        read_reference(write(f"id,width\n1,{value}\n"))
+    assert read_reference(write(f"id,sill\n1,{value}\n")).lengths[0].length == float(value)
+
+
+def test_a_schedule_that_lists_a_length_twice_is_refused(write):
+    with pytest.raises(InputError, match=r"Line 3 of .*: the width of 1 is listed twice"):
+        read_schedule(write("id,width,height\n1,0.9,1.6\n1,0.8,\n"))
+
+
+def test_a_remark_that_states_the_unit_is_honoured_and_said(write):
+    found = read_reference(write("# units: mm\nid,width\n1,900\n"))
+    assert found.lengths[0].length == 0.9
+    assert "gives lengths in mm" in found.warnings[0]

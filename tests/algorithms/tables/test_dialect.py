@@ -156,3 +156,22 @@ def test_numbers_that_a_program_does_not_know_count_as_numbers_but_have_no_value
 )
 def test_a_last_number_with_fewer_decimals_than_all_others_and_without_line_end_is_cut_off(lines, cut):
     assert ends_cut_off(lines, " ") is cut
+
+
+def test_a_number_between_quotes_and_commas_may_be_a_thousand():
+    rows = [["1,234", "2,345", "3.5"], ["1,235", "2,346", "4.5"]]
+    assert decimal_signs(SCAN, [row[:2] for row in rows], ";", True) == (",", "")
+    with pytest.raises(InputError, match=r"commas in .* can be decimal signs or separators"):
+        decimal_signs(SCAN, [row[:2] for row in rows], ",", True)
+
+
+@pytest.mark.parametrize(
+    ("lines", "problem"),
+    [
+        (["#1 1 2 3", "#2 4 5 6"], "all lines with numbers begin with #"),
+        (['<?xml version="1.0"?>', "<points>"], "is XML, not a table of numbers"),
+    ],
+)
+def test_what_is_no_table_is_refused_with_the_reason(lines, problem):
+    with pytest.raises(InputError, match=problem):
+        delimiter_and_width(SCAN, lines)

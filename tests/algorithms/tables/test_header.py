@@ -75,3 +75,28 @@ def test_units_of_the_coordinates_are_read_from_the_header(lines, delimiter, met
 def test_feet_are_refused_because_there_are_several(line):
     with pytest.raises(InputError, match=r"scan\.csv gives lengths in (us)?ft; convert them to metres"):
         read_preamble(SCAN, [line], ";", 3).factors(SCAN)
+
+
+@pytest.mark.parametrize(
+    ("lines", "problem"),
+    [
+        (["X [mm];Y;Z"], "states the unit of some columns only"),
+        (["x [ft];y;z"], "states the unit of some columns only"),
+        (["x;y;z", "1.5;2.5;n/a"], "Line 2 of scan.csv, below the names of the columns, is not a row"),
+        (["x;y;z", "1.5d3;2.5d3;1.5d3"], "Line 2 of scan.csv, below the names of the columns, is not a row"),
+        (["X;Y;Z;x;y;z"], "has several columns called X"),
+        (["X (local);X (grid);Y;Z"], "has several columns called X"),
+    ],
+)
+def test_what_a_header_leaves_open_is_refused(lines, problem):
+    with pytest.raises(InputError, match=problem):
+        read_preamble(SCAN, lines, ";", len(lines[0].split(";")))
+
+
+@pytest.mark.parametrize("lines", [["X Y Z (mm)"], ["x y z", "# all in mm"], ["coordinates in mm", "x y z"]])
+def test_a_unit_that_is_stated_once_is_that_of_all_coordinates(lines):
+    assert read_preamble(SCAN, lines, " ", 3).factors(SCAN) == (1e-3, 1e-3, 1e-3)
+
+
+def test_the_names_may_end_with_a_separator_although_the_rows_do_not():
+    assert read_preamble(SCAN, ["X,Y,Z,i,"], ",", 4).columns == {"x": 0, "y": 1, "z": 2, "intensity": 3}

@@ -27,6 +27,8 @@ def table(tmp_path):
         ("id,width,\n1,0.9,\n", 2),
         ("id,width\n,\n1,0.9,,\n", 3),
         ('id,width\n"1","0,9"\n', 2),
+        ("id;width;\n1;0,9\n", 2),
+        ("The windows of 2026\n\nid;width\n1;0,9\n", 4),
     ],
 )
 def test_rows_are_found_by_their_lines_whatever_separates_their_fields(table, content, line):
@@ -59,3 +61,28 @@ def test_units_are_those_of_the_header_or_of_a_line_below_it(table):
 def test_a_table_that_does_not_fit_its_header_is_refused(table, content, problem):
     with pytest.raises(InputError, match=problem):
         table(content)
+
+
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        ("id;width [mm];height\n1;900;1600\n", "states the unit of some columns only"),
+        ("id;width;width\n1;0,9;1,6\n", "has several columns called width"),
+        ("id,width,height\n1,0,9\n2,1,2\n", "commas in .* can be decimal signs or separators"),
+        ("id;width;height\n1;0,9;1,600\n2;0,8;1,200\n3;0,8;1,5", "The number at the end of .* is cut off"),
+        ('id,width,height\n1,"1,900","1,600"\n', "commas in .* can be decimal signs or separators"),
+    ],
+)
+def test_what_can_be_read_in_two_ways_is_refused(table, content, problem):
+    with pytest.raises(InputError, match=problem):
+        table(content)
+
+
+def test_a_remark_before_the_names_states_the_unit_of_all_columns(table):
+    assert table("# units: mm\nid;width;height\n1;900;1600\n").metres("height") == 1e-3
+
+
+def test_rows_that_begin_as_remarks_do_are_said(table):
+    (said,) = table("id;width;height\n#1;0,9;1,6\n2;0,9;1,6\n").warnings
+    assert "1 rows of" in said
+    assert "the first in line 2, begin as remarks do" in said

@@ -25,6 +25,13 @@ from ichnograph.algorithms.tables.units import (
         ("height", None, 1.0),
         ("mm", None, 1.0),
         ("Northing (LV95)", None, 1.0),
+        ("x [µm]", "um", 1e-6),
+        ("X [1/10 mm]", "1/10 mm", None),
+        ("X [0.1 mm]", "0.1 mm", None),
+        ("X en cm", "cm", 1e-2),
+        ("x ['']", "in", None),
+        ("Breite [Zoll]", "zoll", None),
+        ("alpha [°]", "deg", None),
     ],
 )
 def test_the_unit_of_a_column_follows_its_name(name, unit, metres):
@@ -47,6 +54,16 @@ def test_a_name_without_its_unit_is_the_name():
         ("# Units: US survey feet", "feet"),
         ("# unit:mm", "mm"),
         ("# the units are in mm", "mm"),
+        ("# unit mm", "mm"),
+        ("Units;mm", "mm"),
+        ("# in millimetres", "millimetres"),
+        ("# All coordinates in mm", "mm"),
+        ("# Koordinaten in cm", "cm"),
+        ("// X, Y, Z [mm]", "mm"),
+        ("# points are in feet", "feet"),
+        ("# spacing in mm: 5", None),
+        ("# intensity in m", None),
+        ("# points: 5 m", None),
         ("# the unit of the army", None),
         ("# Unit 3, room in the west wing", None),
         ("# unit: Trimble S7 in hall", None),
@@ -62,3 +79,8 @@ def test_a_field_may_be_a_unit_alone():
     assert as_unit("[mm]") == as_unit(" mm ") == "mm"
     assert as_unit("12") is None
     assert not is_unit("wall")
+
+
+def test_a_number_with_its_unit_is_not_a_unit():
+    assert not is_unit("0.9 m")
+    assert as_unit("900 mm") is None

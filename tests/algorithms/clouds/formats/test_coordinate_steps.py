@@ -39,3 +39,9 @@ def test_double_precision_is_fine_anywhere():
 def test_the_unit_of_the_file_counts():
     millimetres = (1000 * (points() + [0, 0, 20_000])).astype(np.float32).astype(float)
     assert "0.002 m in z" in step_warning(PATH, millimetres, (1e-3, 1e-3, 1e-3))[0]
+
+
+@pytest.mark.parametrize("step", [1.0, 2.0])
+def test_coordinates_that_are_rounded_to_metres_have_no_single_precision(step):
+    whole = np.round((100 * points() + NATIONAL) / step) * step
+    assert step_warning(PATH, whole) == ()

@@ -10,9 +10,11 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.formats.e57 import E57Source
 from ichnograph.algorithms.clouds.formats.ptx import PtxSource
+from ichnograph.algorithms.clouds.settings import ReadingSettings
 from ichnograph.algorithms.errors import InputError, MissingPackageError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57
+from ichnograph.tests.fuzz.mutations import with_checksums
 from rasterio.crs import CRS
 
 DATA = Path(__file__).parents[5] / "shared" / "data"
@@ -239,3 +241,78 @@ def test_files_that_are_opened_again_and_again_take_no_more_memory(tmp_path):
         E57Source.open(path)
 
     assert pages() - before < 2500, "10 MB; an open reader keeps 2 MB"
+
+
+def limited(fields, **limits):
+    """Return a scan that announces ranges of its colours and intensity."""
+    return {
+        **fields,
+        "limits": {
+            f"{group}Limits/{name}{end}": value
+            for group, names in (
+                ("color", ("colorRed", "colorGreen", "colorBlue")),
+                ("intensity", ("intensity",)),
+            )
+            for name in names
+            for end, value in zip(("Minimum", "Maximum"), limits.get(group, ()))
+        },
+    }
+
+
+def test_of_a_large_scan_the_range_that_occurs_counts_and_not_the_one_that_is_announced(tmp_path):
+    count = 200
+    colour = np.zeros(count, int)
+    colour[-1] = 200
+    intensity = np.linspace(0.01, 0.02, count)
+    intensity[-1] = 0.5
+    scan = {name: np.arange(count) / 8 for name in ("cartesianX", "cartesianY", "cartesianZ")}
+    scan.update(dict.fromkeys(("colorRed", "colorGreen", "colorBlue"), colour), intensity=intensity)
+    path = write_e57(tmp_path / "a.e57", limited(scan, color=(0, 65535), intensity=(0, 65535)))
+    source = E57Source.open(path, ReadingSettings(whole_points=50, sample_points=50, chunk_points=60))
+    (chunk,) = source.chunks(np.zeros(3), Progress(), 1000)
+    assert chunk.rgb[-1].tolist() == [200 * 257] * 3
+    assert chunk.intensity[-1] == 32768
+
+
+def test_an_announced_range_of_which_little_occurs_does_not_darken_the_intensity(tmp_path):
+    scan = limited(fields(intensity=[0.0, 0.5, 1.0]), intensity=(0, 65535))
+    np.testing.assert_array_equal(read(write_e57(tmp_path / "a.e57", scan))[1], [0, 32768, 65535])
+
+
+def test_values_that_are_marked_invalid_are_0_and_decide_no_range(tmp_path):
+    names = ("colorRed", "colorGreen", "colorBlue")
+    scan = fields(
+        **{name: [200, 60_000, 1] for name in names},
+        intensity=[0.5, 900.0, 1.0],
+        isColorInvalid=[0, 1, 0],
+        isIntensityInvalid=[0, 1, 0],
+    )
+    _, intensity, rgb, _ = read(write_e57(tmp_path / "a.e57", scan))
+    np.testing.assert_array_equal(intensity, [32768, 0, 65535])
+    np.testing.assert_array_equal(rgb[:, 0], np.array([200, 0, 1]) * 257)
+
+
+def test_scans_without_the_colour_of_others_are_said(tmp_path):
+    path = write_e57(tmp_path / "a.e57", fields(intensity=[0.0, 0.5, 1.0]), fields())
+    assert "Some scans of" in E57Source.open(path).warnings[0]
+    assert "have no intensity" in E57Source.open(path).warnings[0]
+
+
+def test_polar_coordinates_in_degrees_are_refused(tmp_path):
+    polar = {
+        "sphericalRange": [1.0, 2, 3],
+        "sphericalAzimuth": [0.0, 90, 180],
+        "sphericalElevation": [0.0, 45, 1],
+    }
+    with pytest.raises(InputError, match="has angles of up to 180, though E57 prescribes radians"):
+        read(write_e57(tmp_path / "a.e57", polar))
+
+
+def test_an_error_of_the_library_without_a_text_is_one_sentence(tmp_path):
+    path = write_e57(tmp_path / "a.e57", fields(intensity=[0.0, 0.5, 1.0]))
+    data = bytearray(path.read_bytes())
+    # The position of the data, in the header of the points.
+    data[80] = 197
+    path.write_bytes(with_checksums(bytes(data)))
+    with pytest.raises(InputError, match=r"truncated or damaged \(its parts contradict each other\)"):
+        read(path)

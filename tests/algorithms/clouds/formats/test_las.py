@@ -242,3 +242,15 @@ def test_a_negative_scale_mirrors_and_is_refused(tmp_path):
     header.scales = np.array([-0.001, 0.001, 0.001])
     with pytest.raises(InputError, match="is mirrored by a negative scale"):
         LasSource.open(write_las(tmp_path / "scan.las", header, points))
+
+
+def test_points_that_are_left_out_do_not_decide_the_range_of_the_colours(tmp_path):
+    header, points = records(300)
+    for name in ("red", "green", "blue"):
+        points[name] = points[name] % 256
+    points["red"][:5] = 60_000
+    points["withheld"] = np.arange(300) < 5
+    (chunk,) = LasSource.open(write(tmp_path / "scan.las", header, points)).chunks(
+        np.zeros(3), Progress(), 1000
+    )
+    np.testing.assert_array_equal(chunk.rgb[:, 0], points["red"][5:] * 257)

@@ -187,3 +187,35 @@ def test_a_file_of_another_program():
     xyz, *_ = read(path)
     assert len(xyz) == 10
     np.testing.assert_allclose(xyz[0], [0, 0.340289771402993, 0.125195115981903], atol=1e-7)
+
+
+def test_colours_of_signed_bytes_are_those_of_the_same_bits(tmp_path):
+    colour = np.int8([-1, 0, -128])
+    points = vertices(red=colour, green=colour, blue=colour)
+    rgb = read(write_ply(tmp_path / "a.ply", points, types=["double"] * 3 + ["char"] * 3))[2]
+    np.testing.assert_array_equal(rgb[:, 0], np.array([255, 0, 128]) * 257)
+
+
+@pytest.mark.parametrize("remark", ["comment units: mm\n", "obj_info Unit = millimetre\n"])
+def test_a_unit_in_a_remark_is_honoured_and_said(tmp_path, remark):
+    path = write_ply(tmp_path / "a.ply", 1000 * XYZ, before=remark)
+    np.testing.assert_allclose(read(path)[0], XYZ, atol=1e-12)
+    source = PlySource.open(path)
+    np.testing.assert_allclose(source.middle, np.median(XYZ, axis=0))
+    assert "they were converted to metres" in source.warnings[0]
+
+
+def test_feet_in_a_remark_are_refused(tmp_path):
+    with pytest.raises(InputError, match="gives lengths in feet"):
+        read(write_ply(tmp_path / "a.ply", XYZ, before="comment units: feet\n"))
+
+
+def test_decimals_in_a_property_of_whole_numbers_are_refused(tmp_path):
+    path = write_ply(tmp_path / "a.ply", vertices(red=[0.5, 1.0, 0.25]), "ascii", ["double"] * 3 + ["uchar"])
+    with pytest.raises(InputError, match="property red with decimals"):
+        read(path)
+
+
+@pytest.mark.parametrize("name", ["Amplitude", "scalar_Reflectance", "Intensity"])
+def test_intensity_has_the_names_of_the_other_formats(tmp_path, name):
+    assert PlySource.open(write_ply(tmp_path / "a.ply", vertices(**{name: [0.5, 1, 0]}))).intensity == name

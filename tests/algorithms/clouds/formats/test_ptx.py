@@ -200,3 +200,18 @@ def test_a_real_scan_has_the_points_of_its_pts(tmp_path):
     chunks = list(TextSource.open(tmp_path / "pump.pts").chunks(np.zeros(3), Progress(), 1_000_000))
     np.testing.assert_allclose(xyz, np.concatenate([chunk.xyz for chunk in chunks]), atol=1e-9)
     np.testing.assert_array_equal(rgb, np.concatenate([chunk.rgb for chunk in chunks]))
+
+
+@pytest.mark.parametrize(("widths", "word"), [((7, 4), "is 0 there"), ((4, 7), "is left out there")])
+def test_scans_of_unlike_columns_are_said(tmp_path, widths, word):
+    cells = np.column_stack([CELLS, CELLS[:, :3]])
+    path = write_ptx(tmp_path / "a.ptx", *(cells[:, :width] for width in widths))
+    said = []
+    list(PtxSource.open(path).chunks(np.zeros(3), Progress(lambda _, message: said.append(message)), 1000))
+    assert [word in message for message in said if "unlike columns" in message] == [True]
+
+
+def test_a_line_of_any_blanks_is_blank(tmp_path):
+    path = write_ptx(tmp_path / "a.ptx", CELLS)
+    path.write_text(path.read_text() + "\x0b\x1a\n")
+    assert len(read(path)[0]) == 2

@@ -66,8 +66,26 @@ def test_columns_follow_the_usual_order(rows, columns):
     assert by_count(*rows) == (columns, ())
 
 
-def test_a_first_column_that_repeats_is_a_coordinate():
-    assert by_count("1 1.5 2.5 3.5", "1 2.5 3.5 4.5")[0] == Columns((0, 1, 2), 3)
+def test_a_first_column_that_repeats_is_a_coordinate_where_the_fourth_can_be_an_intensity():
+    assert by_count("1 1.5 2.5 0.5", "1 2.5 3.5 0.75")[0] == Columns((0, 1, 2), 3)
+    assert by_count("1 1.5 2.5 350", "1 2.5 3.5 450")[0] == Columns((0, 1, 2), 3)
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [f"{n // 2} {n * 7 % 11}.25 {n % 5}.5 {n % 3}.75" for n in range(20)],
+        [f"{n // 2} {n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 10 20 30" for n in range(20)],
+        [f"{1000 + n / 8} {n * 7 % 11}.25 {n % 5}.5 {n % 3}.75" for n in range(200)],
+    ],
+)
+def test_a_first_column_that_can_be_a_scan_or_a_time_is_asked_for(rows):
+    with pytest.raises(InputError, match=r"first column of scan\.txt can be x, or the number or time"):
+        by_count(*rows)
+
+
+def test_a_first_column_that_counts_the_rows_is_no_coordinate_even_among_whole_ones():
+    assert by_count(*(f"{n + 1} {n * 7 % 11} {n % 5} {n % 3}" for n in range(20)))[0].xyz == (1, 2, 3)
 
 
 def test_columns_of_unknown_meaning_are_left_out_with_a_warning():

@@ -103,3 +103,12 @@ def test_another_system_replaces_all_records_of_the_old_one(las):
     assert [record.string for record in header.vlrs] == [CRS.from_epsg(25833).to_wkt()]
     replace_crs(header, evlrs, None)
     assert (len(header.vlrs), header.global_encoding.wkt) == (0, False)
+
+
+def test_a_version_without_the_point_format_is_corrected(las):
+    path = las("a.las")
+    data = bytearray(path.read_bytes())
+    data[25] = 2
+    path.write_bytes(data)
+    header, _ = copied_header(path)
+    assert (header.version.minor, header.point_format.id) == (4, 6)

@@ -203,3 +203,34 @@ def test_a_geopackage_whose_tables_are_damaged_is_refused_before_it_ends_the_pro
     data = path.read_bytes()
     path.write_bytes(data.replace(b"srs_id INTEGER", b"srs_\xa1d INTEGER"))
     refuse(path, "cannot be read as a layer .*; save it again")
+
+
+def layer_with_heights(tmp_path, z, heights, kind="float"):
+    rows = [{"Elevation": height} for height in heights]
+    points = [(x, y, height) for (x, y, _), height in zip(XYZ, z)]
+    return read_point_list(write_layer(tmp_path / "a.shp", points, {"Elevation": kind}, rows))
+
+
+def test_heights_of_a_field_of_text_may_have_decimal_commas(tmp_path):
+    points = layer_with_heights(tmp_path, [0.0] * 3, ["1,5", "2,5", "3,25"], "str")
+    np.testing.assert_array_equal(points.xyz[:, 2], [1.5, 2.5, 3.25])
+
+
+def test_a_value_that_stands_for_no_height_is_none(tmp_path):
+    points = layer_with_heights(tmp_path, [-9999.0] * 3, [1.5, 2.5, 3.25])
+    np.testing.assert_array_equal(points.xyz[:, 2], [1.5, 2.5, 3.25])
+
+
+@pytest.mark.parametrize(("z", "heights"), [([0.0, 0, 0], [1.5, None, 3.25]), ([5.0, 0, 6], [5.0, 503, 6])])
+def test_points_at_0_of_which_a_field_knows_some_heights_are_said(tmp_path, z, heights):
+    points = layer_with_heights(tmp_path, z, heights)
+    np.testing.assert_array_equal(points.xyz[:, 2], z)
+    assert "though its field Elevation holds heights" in points.warnings[0]
+
+
+def test_a_shapefile_whose_table_is_missing_has_no_names_and_it_is_said(tmp_path):
+    path = write_layer(tmp_path / "a.shp", XYZ)
+    path.with_suffix(".dbf").unlink()
+    points = read_point_list(path)
+    assert not points.named
+    assert "has no table (.dbf) beside it" in points.warnings[0]

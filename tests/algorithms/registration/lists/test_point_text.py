@@ -243,3 +243,11 @@ def test_the_way_of_writing_changes_nothing(
     assert list(read.names) == expected
     assert read.named == bool(names)
     assert read.warnings == ()
+
+
+@pytest.mark.parametrize("row", ["#1 9.5 8.25 7", "# P9 9.5 8.25 7", ";P9 9.5 8.25 7"])
+def test_rows_that_begin_as_remarks_do_are_left_out_and_said(tmp_path, row):
+    points = read_point_list(write(tmp_path, f"{row}\nT1 1.5 2.25 3.0\nT2 4.5 5.25 6.5\n"))
+    assert points.names == ("T1", "T2")
+    assert "1 rows of" in points.warnings[0]
+    assert "the first in line 1, begin as remarks do" in points.warnings[0]

@@ -273,3 +273,18 @@ def test_a_cloud_whose_scan_is_not_registered_does_not_stop_the_others(written):
     scans, warnings = match_clouds(read_transforms(written), [Path("Gärten.laz"), Path("Hall.laz")])
     assert [scan and scan.name for scan in scans] == [None, "Hall"]
     assert len(warnings) == 1 and "Gärten.laz is left out" in warnings[0]
+
+
+@pytest.mark.parametrize("unit", ["mm", "feet"])
+def test_shifts_in_another_unit_are_refused(tmp_path, unit):
+    path = by_hand(tmp_path)
+    path.write_text(json.dumps({"unit": unit, **json.loads(path.read_text())}))
+    with pytest.raises(InputError, match=f"gives matrices in {unit}; write shifts in metres"):
+        read_transforms(path)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_the_encoding_does_not_matter(written, tmp_path, encoding):
+    (tmp_path / "again.json").write_text(written.read_text(encoding="utf-8"), encoding=encoding)
+    again = read_transforms(tmp_path / "again.json")
+    assert [scan.name for scan in again.scans] == [scan.name for scan in read_transforms(written).scans]

@@ -122,3 +122,24 @@ def test_a_missing_file_and_a_text_file_are_refused(tmp_path):
     (tmp_path / "text.tif").write_text("not a raster")
     with pytest.raises(InputError, match="cannot be read"):
         read_density(tmp_path / "text.tif")
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e6])
+def test_pixels_of_an_absurd_size_are_refused(tmp_path, size):
+    grid = Affine(size, 0, 0, 0, -size, 0)
+    with pytest.raises(InputError, match="has pixels of"):
+        read_density(write(tmp_path / "a.tif", np.ones((3, 3)), transform=grid))
+
+
+def test_pictures_and_complex_numbers_are_refused(tmp_path):
+    picture = {"count": 3, "dtype": "uint8", "photometric": "RGB"}
+    for name, profile in (("a.tif", picture), ("b.tif", {"dtype": "complex64"})):
+        with pytest.raises(InputError, match="holds a picture, not densities"):
+            read_density(write(tmp_path / name, np.ones((3, 3)), **profile))
+
+
+def test_a_scale_and_an_offset_of_the_values_are_applied(tmp_path):
+    path = write(tmp_path / "a.tif", np.ones((3, 3)))
+    with rasterio.open(path, "r+") as raster:
+        raster.scales, raster.offsets = (0.5,), (7.0,)
+    np.testing.assert_array_equal(read_density(path).density, np.full((3, 3), 7.5))
