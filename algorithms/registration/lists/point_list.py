@@ -41,6 +41,8 @@ class PointList:
         for lists that do not say so.
     stds : ndarray of float64, shape (n,), or None
         Standard deviations of a coordinate, metres, where the list has them, else nan.
+    covariances : ndarray of float64, shape (n, 3, 3), or None
+        Of the coordinates of targets, square metres, where the list has them, else nan.
     """
 
     name: str
@@ -52,6 +54,7 @@ class PointList:
     path: Optional[Path] = None
     origins: tuple[str, ...] = ()
     stds: Optional[np.ndarray] = None
+    covariances: Optional[np.ndarray] = None
 
 
 def read_point_list(
@@ -124,6 +127,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         path=path,
         origins=tuple(rows.origins[row] for row in kept) if rows.origins else (),
         stds=None if rows.stds is None else rows.stds[kept],
+        covariances=None if rows.covariances is None else rows.covariances[kept],
     )
 
 
