@@ -226,9 +226,10 @@ def _misjudged_sigma(scan: PointList, test: GlobalTest, settings: Settings) -> l
         return []
     if scan.covariances is not None:
         return [
-            f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as the standard deviations of "
-            f"its targets and of the control points suggest (chi-square probability {test.probability:.1g}); "
-            "look for wrong targets, or set CONTROL_SIGMA to how accurately the points were surveyed."
+            f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as the standard deviations "
+            f"of its targets and of the control points suggest (chi-square probability "
+            f"{test.probability:.1g}); look for wrong targets, or set CONTROL_SIGMA "
+            "to how accurately the points were surveyed."
         ]
     return [
         f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as SIGMA suggests (chi-square "

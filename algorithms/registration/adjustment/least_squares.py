@@ -1,9 +1,9 @@
 """The least squares adjustment of all scans in one block (paper, eqs. 2 to 5).
 
-Each coordinate of a target is an observation of its control point: v = m R B + T - A. The three of a target may
-be correlated. Control points that are not held fixed are unknowns too: those appended from scans, and surveyed
-points with a standard deviation, which are then observed as well. The normal equations are set up about the
-centres of the scans.
+Each coordinate of a target is an observation of its control point: v = m R B + T - A. The three of a target
+may be correlated. Control points that are not held fixed are unknowns too: those appended from scans, and
+surveyed points with a standard deviation, which are then observed as well. The normal equations are set up
+about the centres of the scans.
 """
 
 from collections.abc import Sequence
@@ -250,7 +250,7 @@ class _System:
         )
 
     def _adjusted(self) -> np.ndarray:
-        """Return the covariances of the adjusted observations, the blocks of A N^-1 A', shape (n / 3, 3, 3)."""
+        """Return the covariances of adjusted observations, the blocks of A N^-1 A', shape (n / 3, 3, 3)."""
         shape = (len(self.weights), 3, -1)
         values = self.values.reshape(shape)
         columns = np.maximum(self.columns, 0).reshape(shape)

@@ -14,9 +14,7 @@ from .target_layout import is_of_projection
 WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCALE}
 
 
-def scale_test(
-    sighting: Sighting, number: int, adjusted: Adjusted, settings: Settings
-) -> ScaleTest:
+def scale_test(sighting: Sighting, number: int, adjusted: Adjusted, settings: Settings) -> ScaleTest:
     """Test the scale of a scan, if its model has none by an adjustment of the scan alone with a scale.
 
     Parameters

@@ -7,9 +7,7 @@ import numpy as np
 from .similarity import Pose
 
 
-def in_control_frame(
-    covariances: Optional[np.ndarray], count: int, pose: Pose, sigma: float
-) -> np.ndarray:
+def in_control_frame(covariances: Optional[np.ndarray], count: int, pose: Pose, sigma: float) -> np.ndarray:
     """Return m R C (m R)' of each target, shape (k, 3, 3), and sigma^2 I of targets without a covariance.
 
     Parameters

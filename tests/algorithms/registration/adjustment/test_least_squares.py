@@ -106,12 +106,12 @@ def test_targets_with_covariances_have_the_statistics_of_an_independent_solution
     rotation = block.poses[0].rotation
     cofactors = np.zeros((36, 36))
     for number, covariance in enumerate(one.covariances):
-        cofactors[3 * number : 3 * number + 3, 3 * number : 3 * number + 3] = rotation @ covariance @ rotation.T
+        cofactors[3 * number : 3 * number + 3, 3 * number : 3 * number + 3] = (
+            rotation @ covariance @ rotation.T
+        )
     cofactors[24:, 24:] = np.eye(12) * control_sigma**2
     whitening = np.linalg.inv(np.linalg.cholesky(cofactors))
-    start = np.r_[
-        Rotation.from_matrix(one.pose.rotation).as_rotvec(), one.pose.matrix()[:3, 3], np.zeros(12)
-    ]
+    start = np.r_[Rotation.from_matrix(one.pose.rotation).as_rotvec(), one.pose.matrix()[:3, 3], np.zeros(12)]
     solution = least_squares(lambda x: whitening @ observed(x), start, "3-point", xtol=1e-15, ftol=1e-15)
     v, weights = observed(solution.x), np.linalg.inv(cofactors)
     design = np.linalg.solve(whitening, solution.jac)
@@ -127,14 +127,14 @@ def test_targets_with_covariances_have_the_statistics_of_an_independent_solution
     w = (weights @ v) / np.sqrt(np.diag(tests))
     assert block.targets[0].normalized.ravel() == pytest.approx(w[:24], abs=1e-3)
     delta0 = 3.290527 + 0.841621
-    assert block.targets[0].detectable.ravel() == pytest.approx(delta0 / np.sqrt(np.diag(tests))[:24], rel=1e-4)
+    assert block.targets[0].detectable.ravel() == pytest.approx(
+        delta0 / np.sqrt(np.diag(tests))[:24], rel=1e-4
+    )
     assert block.control.normalized[free].ravel() == pytest.approx(w[24:], abs=1e-3)
 
 
 def test_statistics_of_targets_with_covariances_are_those_of_many_simulated_scans():
-    blocks = [
-        adjust([with_covariances(seed)], HALL, SURVEYED, Model.RIGID, SIGMA) for seed in range(300)
-    ]
+    blocks = [adjust([with_covariances(seed)], HALL, SURVEYED, Model.RIGID, SIGMA) for seed in range(300)]
     w = np.array([block.targets[0].normalized for block in blocks])
     true = np.array([scanned(HALL)[1][:3, :3].T @ block.poses[0].rotation for block in blocks])
     turns = Rotation.from_matrix(true).as_rotvec() @ scanned(HALL)[1][:3, :3].T

@@ -203,3 +203,16 @@ def test_a_geopackage_whose_tables_are_damaged_is_refused_before_it_ends_the_pro
     data = path.read_bytes()
     path.write_bytes(data.replace(b"srs_id INTEGER", b"srs_\xa1d INTEGER"))
     refuse(path, "cannot be read as a layer .*; save it again")
+
+
+def test_fields_of_standard_deviations_are_read_with_correlations_if_there_are_any(tmp_path):
+    schema = dict.fromkeys(("sx", "sy", "sz", "rxy"), "float")
+    values = [
+        {"sx": 0.001, "sy": 0.002, "sz": 0.003, "rxy": 0.5},
+        {"sx": None, "sy": 1.0, "sz": 1.0, "rxy": 0},
+    ]
+    path = write_layer(tmp_path / "a.gpkg", XYZ[:2], schema, values)
+    covariances = read_point_list(path).covariances
+
+    assert covariances[0] == pytest.approx(np.array([[1e-6, 1e-6, 0], [1e-6, 4e-6, 0], [0, 0, 9e-6]]))
+    assert np.isnan(covariances[1]).all()
