@@ -14,6 +14,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
@@ -51,9 +52,9 @@ def _in_first(outline: Polygon, elevation: Elevation, first: Elevation) -> Polyg
     return Polygon(first.frame.local(site, np.zeros(3))[:, :2])
 
 
-def matched(every: Sequence[Sequence[Seen]]) -> list[list["Seen | None"]]:
+def matched(every: Sequence[Sequence[Seen]]) -> list[list[Optional[Seen]]]:
     """Return a row for each opening: as each cloud shows it, or None."""
-    rows: list[list[Seen | None]] = []
+    rows: list[list[Optional[Seen]]] = []
     for number, found in enumerate(every):
         for opening in found:
             shares = [

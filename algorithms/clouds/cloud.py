@@ -104,6 +104,19 @@ def open_cloud(
     )
 
 
+def open_scans(paths: Sequence[Union[str, Path]], settings: ReadingSettings = ReadingSettings()) -> Cloud:
+    """Open scan files that are not registered yet, each in a coordinate system of its own.
+
+    Raises
+    ------
+    InputError
+        As `open_cloud`, but reference systems do not matter.
+    """
+    sources = open_sources(paths, settings)
+    warnings = tuple(sentence for source in sources for sentence in source.warnings)
+    return Cloud(sources=sources, origin=np.zeros(3), crs=None, warnings=warnings)
+
+
 def clouds_in(folder: Path) -> list[Path]:
     """Return the clouds in a folder, by name.
 

@@ -102,6 +102,7 @@ def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
         xyz=points.xyz[order] - origin,
         origins=tuple(points.origins[row] for row in order) if points.origins else (),
         stds=None if points.stds is None else points.stds[order],
+        covariances=None if points.covariances is None else points.covariances[order],
     ), origin
 
 

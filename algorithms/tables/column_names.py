@@ -63,8 +63,14 @@ POINTS: Roles = {
         *("nombre", "nombrepunto", "numerodepunto", "nombredepunto", "identificador", "identifiant"),
         *("id", "nr", "no", "n°", "number", "nummer", "numero", "num", "localindex", "globalindex"),
     ),
+    "sx": ("sx", "stdx", "sigmax", "sdx", "mx"),
+    "sy": ("sy", "stdy", "sigmay", "sdy", "my"),
+    "sz": ("sz", "stdz", "sigmaz", "sdz", "mz"),
+    "rxy": ("rxy", "corrxy", "rhoxy"),
+    "rxz": ("rxz", "corrxz", "rhoxz"),
+    "ryz": ("ryz", "corryz", "rhoyz"),
 }
-"""Of a list of points."""
+"""Of a list of points, with the standard deviations and correlations of their coordinates."""
 
 LENGTHS: Roles = {
     "id": (

@@ -147,6 +147,16 @@ class StationTargets:
         """Return the centre of a target in the coordinates of the file."""
         return np.asarray(self.position + target.xyz)
 
+    @property
+    def places(self) -> np.ndarray:
+        """The centres of the targets without doubt in the coordinates of the file, shape (n, 3)."""
+        return np.array([self.place(target) for target in self.sure]).reshape(-1, 3)
+
+    @property
+    def covariances(self) -> np.ndarray:
+        """Their covariances, square metres, shape (n, 3, 3)."""
+        return np.array([target.covariance for target in self.sure]).reshape(-1, 3, 3)
+
 
 @dataclass(frozen=True)
 class TargetSearch:

@@ -1,20 +1,17 @@
 """The algorithm `findtargets`."""
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS, FOR_LAYERS
+from ..found_targets import log_search
 from ..log import Log
 from ..parameters.clouds import CRS, open_site
 from ..parameters.destinations import HtmlDestination, PointDestination
 from ..parameters.folders import FolderDestination
 from ..parameters.targets import KIND, SCANS, SIZE, STATION, settings_of
-
-if TYPE_CHECKING:
-    from ...algorithms.targets.results import TargetSearch
-    from ...algorithms.targets.settings import TargetSettings
 
 
 class FindTargetsAlgorithm(Algorithm):
@@ -76,8 +73,7 @@ class FindTargetsAlgorithm(Algorithm):
 
         settings = settings_of(values)
         search = find_targets(open_site(values), settings, log.progress)
-        log.warn(search.warnings)
-        _log(search, settings, log)
+        log_search(search, settings, log)
         if not any(station.targets for station in search.stations):
             raise NothingFoundError("No target was found; the log says which tests failed, and how near.")
         writers: dict[str, Any] = {
@@ -89,18 +85,3 @@ class FindTargetsAlgorithm(Algorithm):
 
             writers["REPORT"] = partial(write_report, search, settings)
         return Outcome(writers, {"TARGET_COUNT": search.count})
-
-
-def _log(search: "TargetSearch", settings: "TargetSettings", log: Log) -> None:
-    from ...algorithms.targets.explanation import explanation
-
-    for station in search.stations:
-        sure, doubtful = len(station.sure), len(station.targets) - len(station.sure)
-        log.info(f"{station.name}: {sure} targets, {doubtful} doubtful.")
-        for target in station.targets:
-            if target.doubt:
-                place = " ".join(f"{value:.3f}" for value in station.place(target))
-                what = f"The {target.kind.value} target at {place} in {station.name}"
-                log.warn([f"{what} is doubtful: {target.doubt}."])
-        if not station.sure:
-            log.warn(explanation(station, settings))

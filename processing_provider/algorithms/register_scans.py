@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_LAYERS
+from ..found_targets import lists_of
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, JsonDestination, PointDestination
 from ..parameters.registration import (
@@ -34,10 +35,10 @@ class RegisterScansAlgorithm(Algorithm):
     chapter = "Registration"
     summary = "Identifies the control point behind each target, without names, and georeferences the scans."
     about = (
-        "Targets picked in each scan are matched with surveyed control points by their distances, and the "
-        "transformations of all scans are adjusted together. Targets that are not control points tie the "
-        "scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, "
-        "Mayer, Mortada and Rasztovits 2013)."
+        "Targets picked or found in each scan are matched with surveyed control points by their distances, "
+        "and the transformations of all scans are adjusted together. Targets that are not control points tie "
+        "the scans to each other. A scan without an unambiguous solution is refused, with the reason "
+        "(Herbig, Mayer, Mortada and Rasztovits 2013)."
     )
     words = (
         "registration",
@@ -100,7 +101,9 @@ class RegisterScansAlgorithm(Algorithm):
             log.warn(
                 ["The control points have no coordinate reference system, so the results have none; set CRS."]
             )
-        registration = register_scans(control, values["TARGETS"], settings_of(values), log.progress)
+        settings, searched = settings_of(values), 0.9 if values["TARGETS"].clouds else 0.0
+        scans = lists_of(values["TARGETS"], settings.named, log, log.progress.part(0.0, searched))
+        registration = register_scans(control, scans, settings, log.progress.part(searched, 1.0))
         _log(registration, log)
         if not registration.registered:
             reasons = " ".join(scan.reason for scan in registration.scans)

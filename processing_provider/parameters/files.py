@@ -40,7 +40,7 @@ class CloudFiles(Parameter):
         given = _files(parameters.get(self.name), context)
         if not given:
             raise InputError(f"{self.name} is empty; choose at least one point cloud file.")
-        return [path for item in given for path in _in_folder(item)]
+        return [path for item in given for path in in_folder(item)]
 
     def sources(self, value: Any) -> list[str]:
         return value
@@ -115,7 +115,7 @@ def _files(given: Any, context: QgsProcessingContext) -> list[str]:
     return [_source(path, context) for path in split_paths(str(given))] if given else []
 
 
-def _in_folder(path: str) -> list[str]:
+def in_folder(path: str) -> list[str]:
     """Return the clouds in a folder that another algorithm may have written, or the path itself."""
     if not Path(path).is_dir():
         return [path]

@@ -25,7 +25,7 @@ from qgis.PyQt.QtCore import QFile
 from ...algorithms.errors import InputError
 from ...algorithms.shapefile import refuse_damaged
 from .definitions import FileListDefinition, PointListDefinition
-from .files import split_paths
+from .files import CLOUD_FILTER, in_folder, split_paths
 from .parameter import Parameter
 
 if TYPE_CHECKING:
@@ -40,6 +40,8 @@ Coordinates = tuple[float, ...]
 POINTS = QgsProcessing.SourceType.TypeVectorPoint
 
 LIST_FILTER = "Lists of points (*.txt *.csv *.xyz *.asc *.pts *.gpkg *.shp *.geojson)"
+
+TARGET_FILTER = f"{LIST_FILTER};;{CLOUD_FILTER}"
 
 
 @dataclass(frozen=True)
@@ -68,26 +70,46 @@ class PointListFile(Parameter):
 
 
 @dataclass(frozen=True)
-class PointListFiles(Parameter):
-    """One or more lists of points, each with a name of its own."""
+class TargetFiles:
+    """Lists of targets, and scans in which targets are still to be found.
+
+    Attributes
+    ----------
+    lists : list of PointList
+    clouds : list of str
+        Paths of scans without a list of their name.
+    """
+
+    lists: "list[PointList]"
+    clouds: list[str]
+
+
+@dataclass(frozen=True)
+class TargetListFiles(Parameter):
+    """One list of targets for each scan, or the scan itself, each with a name of its own."""
 
     def _definition(self) -> FileListDefinition:
-        return FileListDefinition(self.name, self.description, POINTS, LIST_FILTER)
+        return FileListDefinition(self.name, self.description, POINTS, TARGET_FILTER)
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> "list[PointList]":
-        lists = [_read(item) for item in _items(parameters.get(self.name), context)]
-        if not lists:
-            raise InputError(f"{self.name} is empty; choose at least one text file or layer of points.")
+    ) -> TargetFiles:
+        from ...algorithms.registration.lists.point_list import is_cloud
+
+        given = _items(parameters.get(self.name), context)
+        items = [part for item in given for part in (in_folder(item) if isinstance(item, str) else [item])]
+        clouds = [item for item in items if isinstance(item, str) and is_cloud(item)]
+        lists = [_read(item) for item in items if item not in clouds]
+        if not items:
+            raise InputError(f"{self.name} is empty; choose at least one list of points, or scan.")
         names = [points.name for points in lists]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
             raise InputError(f"{self.name} has two lists called {twice}; remove or rename one of them.")
-        return lists
+        return TargetFiles(lists, [path for path in clouds if Path(path).stem not in names])
 
-    def sources(self, value: "list[PointList]") -> list[str]:
-        return [str(points.path) for points in value if points.path]
+    def sources(self, value: TargetFiles) -> list[str]:
+        return [*(str(points.path) for points in value.lists if points.path), *value.clouds]
 
 
 def _items(given: Any, context: QgsProcessingContext) -> list[Item]:

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from .parameter import Choice, Number, ReferenceSystem
-from .point_lists import PointListFile, PointListFiles
+from .point_lists import PointListFile, TargetListFiles
 
 if TYPE_CHECKING:
     from ...algorithms.registration.lists.point_list import PointList
@@ -16,12 +16,13 @@ CONTROL = PointListFile(
     "Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.",
 )
 
-TARGETS = PointListFiles(
+TARGETS = TargetListFiles(
     "TARGETS",
-    "Targets, one list for each scan",
+    "Targets, one list for each scan, or the scans",
     "Targets picked in the scans, in the scanner's own frame: text files or layers as for control points. "
-    "The name of the file is the name of the scan; give the cloud the same name. On the command line, repeat "
-    "TARGETS=file or separate the files by semicolons.",
+    "The name of the file is the name of the scan; give the cloud the same name. Scans themselves may be "
+    "given instead, or a folder of them: their targets are found on the way, unless there is a list of the "
+    "same name. On the command line, repeat TARGETS=file or separate the files by semicolons.",
 )
 
 MATCHING = Choice(
@@ -35,7 +36,9 @@ MATCHING = Choice(
 SIGMA = Number(
     "SIGMA",
     "Standard deviation of a target",
-    "Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right.",
+    "Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right. "
+    "Targets with standard deviations of their own, as 'Find targets in scans' writes them, are adjusted "
+    "with these; SIGMA then says only how exactly distances match.",
     unit="m",
     default=0.003,
     minimum=0.000001,

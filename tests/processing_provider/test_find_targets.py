@@ -51,7 +51,7 @@ def test_list_layer_and_report_are_written(find, truth, tmp_path):
 
     assert results["TARGET_COUNT"] == 1
     assert results["LISTS"] == [str(tmp_path / "targets" / "hall.txt")]
-    place = np.loadtxt(results["LISTS"][0])
+    place = np.loadtxt(results["LISTS"][0], skiprows=1)[:3]
     assert np.linalg.norm(place - truth.targets[0].centre) < 0.001
     with fiona.open(results["TARGETS_LAYER"]) as layer:
         assert [item["properties"]["kind"] for item in layer] == ["black and white"]

@@ -24,16 +24,17 @@ def project(plugin):
 @pytest.fixture
 def read(plugin, project):
     """Read the value of CONTROL, or of TARGETS, as an algorithm does."""
-    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, TargetListFiles
     from qgis.core import QgsProcessingContext
 
     context = QgsProcessingContext()
     context.setProject(project)
 
     def read(given, several=False):
-        kind = PointListFiles if several else PointListFile
+        kind = TargetListFiles if several else PointListFile
         name = "TARGETS" if several else "CONTROL"
-        return kind(name, "Points", "Help.").value(None, {name: given}, context)
+        value = kind(name, "Points", "Help.").value(None, {name: given}, context)
+        return value.lists if several else value
 
     return read
 
@@ -203,16 +204,18 @@ def run_with_lists(plugin):
     """Run a throw-away algorithm by the toolbox's own way, which checks the values first."""
     import processing
     from ichnograph.processing_provider.algorithm import Algorithm, Outcome
-    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, TargetListFiles
     from qgis.core import QgsApplication, QgsProcessingProvider
 
     class Count(Algorithm):
         key = title = chapter = "count"
-        inputs = (PointListFile("CONTROL", "One", "Help."), PointListFiles("TARGETS", "Many", "Help."))
+        inputs = (PointListFile("CONTROL", "One", "Help."), TargetListFiles("TARGETS", "Many", "Help."))
         numbers = (("SCANS", "Number of scans"), ("POINTS", "Number of control points"))
 
         def compute(self, values, log):
-            return Outcome({}, {"SCANS": len(values["TARGETS"]), "POINTS": len(values["CONTROL"].names)})
+            return Outcome(
+                {}, {"SCANS": len(values["TARGETS"].lists), "POINTS": len(values["CONTROL"].names)}
+            )
 
     class Provider(QgsProcessingProvider):
         def id(self):
@@ -237,9 +240,9 @@ def test_text_files_pass_where_qgis_asks_for_layers(run_with_lists, tmp_path):
 
 
 def test_the_dialog_takes_every_kind_of_file(plugin):
-    from ichnograph.processing_provider.parameters.point_lists import PointListFile, PointListFiles
+    from ichnograph.processing_provider.parameters.point_lists import PointListFile, TargetListFiles
 
-    for kind in (PointListFile, PointListFiles):
+    for kind in (PointListFile, TargetListFiles):
         definition = kind("CONTROL", "Points", "Help.").definition()
         assert "All files (*" in definition.createFileFilter()
         assert definition.checkValueIsAcceptable("control.txt")

@@ -7,8 +7,11 @@ import fiona
 import numpy as np
 import pytest
 from ichnograph.algorithms.registration.output.layers import CONTROL_FIELDS, RESIDUAL_FIELDS
+from ichnograph.tests.scenes.stations.caster import Scanner
+from ichnograph.tests.scenes.stations.layout import target_station
 from ichnograph.tests.scenes.targets import target_scene
 from rasterio.crs import CRS
+from scipy.spatial.transform import Rotation
 
 FILES = {
     "TRANSFORMS": "transforms.json",
@@ -224,3 +227,83 @@ def test_a_list_is_never_overwritten(refuse, lists, outputs, tmp_path, name):
 
     assert sentence == f"Residuals (RESIDUALS) {layer} is an input as well; choose another name."
     assert layer.read_bytes() == before
+
+
+@pytest.fixture(scope="module")
+def stations():
+    """Two stations with five targets each, and where the targets truly are in the control frame."""
+    places = [("black and white", 0.15, distance, 20.0) for distance in (3.0, 7.0, 4.0, 8.0)]
+    scans, control = {}, []
+    for number, name in enumerate(("hall", "stairs")):
+        station = target_station(
+            Scanner(step=0.0008), [*places, ("sphere", 0.145, 5.0 + number, 0.0)], seed=5 + number
+        )
+        turn = Rotation.from_euler("z", 50 + 90 * number, degrees=True).as_matrix()
+        centres = np.array([target.centre for target in station.targets])
+        control.append(centres @ turn.T + [100.0 + 20 * number, 200.0, 30.0])
+        scans[name] = station
+    return scans, np.concatenate(control)
+
+
+@pytest.fixture
+def raw(stations, tmp_path):
+    """Write the scans as text, and the control points to the micrometre."""
+    scans, control = stations
+    for name, station in scans.items():
+        columns = np.column_stack([station.xyz, station.intensity])
+        np.savetxt(
+            tmp_path / f"{name}.xyz", columns, "%.5f %.5f %.5f %d", header="x y z intensity", comments=""
+        )
+    np.savetxt(tmp_path / "control.csv", control, "%.6f", delimiter=",")
+    return {
+        "CONTROL": str(tmp_path / "control.csv"),
+        "TARGETS": [str(tmp_path / f"{name}.xyz") for name in scans],
+        "CRS": "EPSG:25833",
+        "TRANSFORMS": str(tmp_path / "transforms.json"),
+    }
+
+
+def test_scans_are_registered_by_the_targets_found_in_them(run, raw, stations, tmp_path, feedback):
+    result = run("registerscans", feedback, **raw)
+
+    assert result["SCANS_REGISTERED"] == 2
+    assert result["MAX_RESIDUAL"] < 0.001
+    assert "Searching 2 scans for targets, because they have no lists." in feedback.infos
+    assert "hall: 5 targets, 0 doubtful." in feedback.infos
+    found = json.loads(Path(raw["TRANSFORMS"]).read_text(encoding="utf-8"))["scans"]
+    for scan, station, true in zip(found, stations[0].values(), np.split(stations[1], 2)):
+        matrix = np.array(scan["matrix"])
+        centres = np.array([target.centre for target in station.targets])
+        assert centres @ matrix[:3, :3].T + matrix[:3, 3] == pytest.approx(true, abs=5e-4)
+
+
+def test_found_targets_count_by_their_own_standard_deviations(run, raw, tmp_path):
+    """Lists that findtargets writes give what the scans give, whatever SIGMA is; bare coordinates do not."""
+    lists = run("findtargets", INPUT=raw["TARGETS"], OUTPUT_FOLDER=str(tmp_path / "lists"))["LISTS"]
+    direct = run("registerscans", **raw)
+    listed = run("registerscans", **{**raw, "TARGETS": lists})
+    coarse = run("registerscans", **{**raw, "TARGETS": lists, "SIGMA": 0.006})
+
+    assert listed["SIGMA0"] == pytest.approx(direct["SIGMA0"], rel=0.02)
+    assert coarse["SIGMA0"] == pytest.approx(listed["SIGMA0"])
+    assert 0.3 < direct["SIGMA0"] < 2.5
+
+
+def test_a_scan_whose_list_is_given_too_is_not_searched(run, raw, tmp_path, feedback):
+    lists = run("findtargets", INPUT=raw["TARGETS"], OUTPUT_FOLDER=str(tmp_path / "lists"))["LISTS"]
+    run("registerscans", feedback, **{**raw, "TARGETS": [*lists, *raw["TARGETS"]]})
+
+    assert not any("Searching" in line for line in feedback.infos)
+
+
+def test_found_targets_cannot_be_matched_by_names(refuse, raw):
+    assert "have no names; set Matching (MATCHING) to distances" in refuse(**raw, MATCHING=1)
+
+
+def test_scans_without_targets_are_refused_with_the_tests_that_failed(refuse, raw, tmp_path):
+    azimuth, elevation = np.meshgrid(np.arange(0, 0.3, 0.0015), np.arange(-0.1, 0.1, 0.0015))
+    wall = 5 / np.cos(azimuth)
+    xyz = np.stack([0 * wall + 5, 5 * np.tan(azimuth), wall * np.tan(elevation)], axis=-1).reshape(-1, 3)
+    np.savetxt(tmp_path / "bare.xyz", np.column_stack([xyz, np.full(len(xyz), 900)]), "%.4f %.4f %.4f %d")
+
+    assert "No target was found" in refuse(**{**raw, "TARGETS": [str(tmp_path / "bare.xyz")]})

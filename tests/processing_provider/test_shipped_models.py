@@ -4,6 +4,7 @@ import fiona
 import numpy as np
 import pytest
 from ichnograph.tests.processing_provider.room import CORNER, covered_points, write_las
+from ichnograph.tests.scenes.stations.caster import CROSSED, Panel, Scanner, Window, cast
 from rasterio.crs import CRS
 
 MODELS = ("Control points and scans to site plan", "Facade to drawing", "Storeys one by one")
@@ -54,3 +55,52 @@ def test_two_storeys_are_drawn_from_the_same_scans(run, model, tmp_path):
                 round(row["properties"]["z_floor"], 1) for row in layer if "z_floor" in row["properties"]
             }
     assert floors == {70.0, 72.8}
+
+
+LOW, HIGH = np.array([-2.5, -1.8, -1.5]), np.array([3.5, 2.2, 1.0])
+"""Corners of a room about the scanner."""
+
+BOARDS = (
+    *((0, 3.5, (0.8, 0.4)), (0, -2.5, (-0.9, -0.2)), (1, 2.2, (-1.2, 0.5)), (1, -1.8, (1.9, -0.5))),
+    *((0, 3.5, (-1.3, -0.4)), (1, 2.2, (1.6, -0.1))),
+)
+"""The wall of each target, by its axis and coordinate, and where the target is on it."""
+
+
+def scanned_room():
+    """Return a scan of a room with targets on its walls, and their centres, relative to the scanner."""
+    middle, half = (LOW + HIGH) / 2, (HIGH - LOW) / 2
+    axes, panels, centres = np.eye(3), [], []
+    for axis in range(3):
+        others = [other for other in range(3) if other != axis]
+        for end in (LOW, HIGH):
+            centre = middle.copy()
+            centre[axis] = end[axis]
+            panels.append(Panel(centre, axes[others], tuple(half[others])))
+    for axis, wall, (along, up) in BOARDS:
+        centre = np.array([along, along, up])
+        centre[axis] = wall * 0.999
+        centres.append(centre)
+        panels.append(Panel(centre, axes[[1 - axis, 2]], (0.15, 0.15), CROSSED, (0.1, 0.8)))
+    window = Window(0.0, -0.05, (np.pi - 0.002, 0.7), tuple(panels))
+    return cast(Scanner(step=0.004), window, np.random.default_rng(3)), np.array(centres)
+
+
+def test_a_site_plan_is_drawn_from_control_points_and_a_raw_scan(run, model, tmp_path):
+    (xyz, intensity), centres = scanned_room()
+    columns = np.column_stack([xyz, intensity])
+    np.savetxt(tmp_path / "room.xyz", columns, "%.4f %.4f %.4f %d", header="x y z intensity", comments="")
+    control = centres[:, [1, 0, 2]] * [-1, 1, 1] + CORNER
+    np.savetxt(tmp_path / "control.csv", control, "%.4f", delimiter=",")
+    name = "Control points and scans to site plan"
+    outputs = {
+        item.name(): str(tmp_path / f"{number}.{'html' if 'Report' in item.name() else 'gpkg'}")
+        for number, item in enumerate(model(name).destinationParameterDefinitions())
+    }
+    given = {"CONTROL": str(tmp_path / "control.csv"), "SCANS": [str(tmp_path / "room.xyz")]}
+    run(name, **given, TARGETS=None, SYSTEM="EPSG:25833", **outputs)
+
+    with fiona.open(next(path for name, path in outputs.items() if name.endswith("Walls"))) as walls:
+        west, south, east, north = walls.bounds
+    assert (west, south) == pytest.approx((CORNER[0] - HIGH[1], CORNER[1] + LOW[0]), abs=0.3)
+    assert (east, north) == pytest.approx((CORNER[0] - LOW[1], CORNER[1] + HIGH[0]), abs=0.3)

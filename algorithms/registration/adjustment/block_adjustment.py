@@ -8,7 +8,7 @@ import numpy as np
 from ..results import GlobalTest
 from ..sequential_registration import SequentialRegistration
 from ..settings import Settings
-from .least_squares import Block, Residuals, Sighting, adjust
+from .least_squares import Block, Sighting, adjust
 from .statistical_tests import global_test, worst_target
 from .target_layout import fixes_pose, line_width
 
@@ -73,7 +73,10 @@ def _adjusted(
     for scan, rows in zip(sequence.placed, used):
         if not fixes_pose(scan.scan.xyz[rows], settings.model, line_width(scan.scan.xyz, settings)):
             raise np.linalg.LinAlgError(f"{scan.scan.name} has too few points left")
-        sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose))
+        own = scan.scan.covariances
+        sightings.append(
+            Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose, None if own is None else own[rows])
+        )
     block = adjust(
         sightings,
         sequence.network.points,
@@ -83,7 +86,10 @@ def _adjusted(
         sequence.network.sigmas,
         settings.adjustment,
     )
-    tests = tuple(_test_of(item, settings) for item in block.targets)
+    tests = tuple(
+        global_test(float(item.squares.sum()), float(item.redundancy.sum()), settings.adjustment.tests)
+        for item in block.targets
+    )
     return Adjusted(block, tuple(used), rejected, tests)
 
 
@@ -99,11 +105,6 @@ def _used(sequence: SequentialRegistration, rejected: tuple[Rejected, ...]) -> l
     )
     contributing = sequence.network.surveyed | (seen > 1)
     return [own[contributing[scan.labels[own]]] for scan, own in zip(sequence.placed, rows)]
-
-
-def _test_of(residuals: Residuals, settings: Settings) -> GlobalTest:
-    squares = float(np.sum(residuals.residuals**2)) / settings.sigma**2
-    return global_test(squares, float(residuals.redundancy.sum()), settings.adjustment.tests)
 
 
 def _suspect(

@@ -20,10 +20,12 @@ from ..results import (
 from ..sequential_registration import SequentialRegistration
 from ..settings import Settings
 from .block_adjustment import Adjusted
+from .least_squares import Sighting
 from .parameters import parameters
 from .scale_test import scale_test
 from .similarity import Pose, parameter_design
 from .statistical_tests import divided, global_test, spread_factor
+from .target_covariances import in_control_frame
 
 UNKNOWN = np.full(3, np.nan)
 
@@ -104,7 +106,11 @@ class Evaluation:
         matched = {item.target for item in correspondences}
         test = self.adjusted.tests[number]
         std = self._std(placed.scan.xyz, number)
-        of_scale = scale_test(placed.scan.xyz[used], placed.labels[used], number, self.adjusted, settings)
+        own = placed.scan.covariances
+        sighting = Sighting(
+            placed.scan.xyz[used], placed.labels[used], pose, None if own is None else own[used]
+        )
+        of_scale = scale_test(sighting, number, self.adjusted, settings)
         return ScanRegistration(
             name=scan.name,
             status=REGISTERED,
@@ -127,7 +133,7 @@ class Evaluation:
             warnings=(
                 *scan.warnings,
                 *placed.match.warnings,
-                *_misjudged_sigma(scan.name, test, settings),
+                *_misjudged_sigma(scan, test, settings),
                 *_missing_scale(scan.name, of_scale, settings),
                 *_inaccurate(scan.name, std, settings),
             ),
@@ -198,7 +204,11 @@ class Evaluation:
             pose, xyz = block.poses[number], placed[number].scan.xyz[target : target + 1]
             design = parameter_design(pose.rotated(xyz), settings.model)[0]
             position = pose.apply(xyz)[0]
-            covariance = design @ block.pose_cofactors[number] @ design.T + np.eye(3) * settings.sigma**2
+            own = placed[number].scan.covariances
+            of_target = in_control_frame(
+                None if own is None else own[target : target + 1], 1, pose, settings.sigma
+            )[0]
+            covariance = design @ block.pose_cofactors[number] @ design.T + of_target
         elif not network.origins[row] and not seen:
             covariance = np.eye(3) * network.sigmas[row] ** 2
         return ControlPoint(
@@ -210,12 +220,19 @@ class Evaluation:
         )
 
 
-def _misjudged_sigma(name: str, test: GlobalTest, settings: Settings) -> list[str]:
-    """Warn if the residuals contradict the a priori standard deviation."""
+def _misjudged_sigma(scan: PointList, test: GlobalTest, settings: Settings) -> list[str]:
+    """Warn if the residuals contradict the a priori standard deviations."""
     if not test.probability < settings.adjustment.tests.significance:
         return []
+    if scan.covariances is not None:
+        return [
+            f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as the standard deviations "
+            f"of its targets and of the control points suggest (chi-square probability "
+            f"{test.probability:.1g}); look for wrong targets, or set CONTROL_SIGMA "
+            "to how accurately the points were surveyed."
+        ]
     return [
-        f"The residuals of {name} are {test.sigma0:.1f} times as large as SIGMA suggests (chi-square "
+        f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as SIGMA suggests (chi-square "
         f"probability {test.probability:.1g}); look for wrong targets, or set SIGMA to "
         f"{test.sigma0 * settings.sigma:.2g}."
     ]

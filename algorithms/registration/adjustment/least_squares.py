@@ -1,23 +1,25 @@
 """The least squares adjustment of all scans in one block (paper, eqs. 2 to 5).
 
-Each coordinate of a target is an observation of its control point: v = m R B + T - A. Control points that are
-not held fixed are unknowns too: those appended from scans, and surveyed points with a standard deviation,
-which are then observed as well. The normal equations are set up about the centres of the scans.
+Each coordinate of a target is an observation of its control point: v = m R B + T - A. The three of a target
+may be correlated. Control points that are not held fixed are unknowns too: those appended from scans, and
+surveyed points with a standard deviation, which are then observed as well. The normal equations are set up
+about the centres of the scans.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Union
+from dataclasses import dataclass, fields
+from typing import Optional, Union
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
-from scipy.sparse import csr_matrix
+from scipy.sparse import bsr_matrix, csr_matrix
 
 from ..settings import Model
 from .gauss_newton import iterated
 from .settings import AdjustmentSettings, OutlierTestSettings
 from .similarity import Pose, moved_pose, parameter_design
 from .statistical_tests import detectable_biases, normalized_residuals
+from .target_covariances import in_control_frame
 
 Unknowns = tuple[list[Pose], np.ndarray]
 """The poses of the scans, and the control points."""
@@ -35,33 +37,40 @@ class Sighting:
         Rows of their control points.
     pose : Pose
         Start value.
+    covariances : ndarray, shape (k, 3, 3), or None
+        Of the targets, in the scan; nan where unknown.
     """
 
     targets: np.ndarray
     points: np.ndarray
     pose: Pose
+    covariances: Optional[np.ndarray] = None
 
 
 @dataclass(frozen=True)
 class Residuals:
-    """Observations of one kind after the adjustment; all arrays have shape (k, 3).
+    """Observations of one kind after the adjustment.
 
     Attributes
     ----------
-    residuals : ndarray
+    residuals : ndarray, shape (k, 3)
         v, metres.
-    redundancy : ndarray
-        Redundancy numbers r, 0..1.
-    normalized : ndarray
-        Baarda's w = v / (sigma sqrt(r)); nan where r is 0.
-    detectable : ndarray
-        Minimal detectable bias sigma delta0 / sqrt(r), metres; nan where r is 0.
+    redundancy : ndarray, shape (k, 3)
+        Redundancy numbers r, the diagonal of Qvv P: 0..1, of correlated coordinates about so.
+    normalized : ndarray, shape (k, 3)
+        Baarda's w, P v over the roots of the diagonal of P Qvv P; v / (sigma sqrt(r)) of coordinates that are
+        not correlated. nan where nothing checks a coordinate.
+    detectable : ndarray, shape (k, 3)
+        Minimal detectable bias, delta0 over the same roots, metres; nan where nothing checks a coordinate.
+    squares : ndarray, shape (k,)
+        v'Pv of each point.
     """
 
     residuals: np.ndarray
     redundancy: np.ndarray
     normalized: np.ndarray
     detectable: np.ndarray
+    squares: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -117,7 +126,7 @@ def adjust(
     surveyed : ndarray of bool, shape (p,)
     model : Model
     sigma : float
-        A priori standard deviation of the coordinates of targets, metres.
+        A priori standard deviation of the coordinates of targets without a covariance, metres.
     control_sigma : float or ndarray, shape (p,)
         The same of surveyed points; 0 where held fixed.
     settings : AdjustmentSettings
@@ -150,8 +159,8 @@ class _System:
         self.first = np.full(len(points), -1)
         self.first[self.loose] = self.pose_unknowns + 3 * np.arange(len(self.loose))
         self.unknowns = self.pose_unknowns + 3 * len(self.loose)
-        rows = [np.full(3 * len(item.points), sigma) for item in sightings]
-        self.sigmas = np.concatenate([*rows, np.repeat(control_sigmas[self.observed], 3)])
+        self.sigma = sigma
+        self.of_control = np.eye(3) * control_sigmas[self.observed, None, None] ** 2
 
     def solved(self, settings: AdjustmentSettings) -> Block:
         start = [item.pose for item in self.sightings], self.given
@@ -161,11 +170,20 @@ class _System:
     def _advanced(self, unknowns: Unknowns) -> tuple[Unknowns, np.ndarray]:
         poses, points = unknowns
         self.columns, self.values = self._design(poses)
+        self.weights = self._weights(poses)
         step, self.cofactors = self._step(self.columns, self.values, self._residuals(poses, points))
         shares = step[: self.pose_unknowns].reshape(len(poses), -1)
         points = points.copy()
         points[self.loose] += step[self.pose_unknowns :].reshape(-1, 3)
         return ([moved_pose(pose, share, self.model) for pose, share in zip(poses, shares)], points), step
+
+    def _weights(self, poses: list[Pose]) -> np.ndarray:
+        """Return the blocks of P, shape (n / 3, 3, 3): one for each target and each surveyed point."""
+        of_targets = [
+            in_control_frame(item.covariances, len(item.points), pose, self.sigma)
+            for item, pose in zip(self.sightings, poses)
+        ]
+        return np.linalg.inv(np.concatenate([*of_targets, self.of_control]))
 
     def _residuals(self, poses: list[Pose], points: np.ndarray) -> np.ndarray:
         """Return v at the present values, shape (n,)."""
@@ -201,28 +219,23 @@ class _System:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return x = (A'PA)^-1 A'Pl and the inverse, where l = -v (paper, eq. 3)."""
         rows = np.repeat(np.arange(len(columns)), columns.shape[1])
-        weighted = (values / self.sigmas[:, None]).ravel()
         shape = (len(columns), self.unknowns)
-        design = csr_matrix((weighted, (rows, np.maximum(columns, 0).ravel())), shape)
-        normal = (design.T @ design).toarray()
+        design = csr_matrix((values.ravel(), (rows, np.maximum(columns, 0).ravel())), shape)
+        count = len(self.weights)
+        weighted = bsr_matrix((self.weights, np.arange(count), np.arange(count + 1))) @ design
+        normal = (design.T @ weighted).toarray()
         # Shifts and angles differ in size by the extent of a scan; so scaled, they do not.
         sizes = np.sqrt(np.diag(normal))
         factor = cho_factor(normal / np.outer(sizes, sizes))
         cofactors = cho_solve(factor, np.eye(self.unknowns)) / np.outer(sizes, sizes)
-        return cofactors @ (design.T @ (-residuals / self.sigmas)), cofactors
+        return cofactors @ (weighted.T @ -residuals), cofactors
 
     def _block(self, poses: list[Pose], points: np.ndarray, tests: OutlierTestSettings) -> Block:
-        values, cofactors = self.values, self.cofactors
-        columns = np.maximum(self.columns, 0)
-        adjusted = np.einsum(
-            "ij,ijk,ik->i", values, cofactors[columns[:, :, None], columns[:, None, :]], values
-        )
-        redundancy = np.clip(1.0 - adjusted / self.sigmas**2, 0.0, 1.0)
-        residuals = self._residuals(poses, points)
-        ends = 3 * np.cumsum([len(item.points) for item in self.sightings])
-        parts = zip(*(np.split(each, ends) for each in (residuals, redundancy, self.sigmas)))
-        kinds = [_tested(v.reshape(-1, 3), r.reshape(-1, 3), s.reshape(-1, 3), tests) for v, r, s in parts]
-        width = self.model.unknowns
+        cofactors, width = self.cofactors, self.model.unknowns
+        residuals = self._residuals(poses, points).reshape(-1, 3)
+        ends = np.cumsum([len(item.points) for item in self.sightings])
+        parts = zip(*(np.split(each, ends) for each in (residuals, self.weights, self._adjusted())))
+        kinds = [_tested(v, weights, adjusted, tests) for v, weights, adjusted in parts]
         return Block(
             poses=tuple(poses),
             pose_cofactors=tuple(
@@ -232,9 +245,17 @@ class _System:
             point_covariances=self._point_covariances(cofactors),
             targets=tuple(kinds[:-1]),
             control=self._of_all_points(kinds[-1]),
-            sum_of_squares=float(np.sum((residuals / self.sigmas) ** 2)),
-            redundancy=len(residuals) - self.unknowns,
+            sum_of_squares=float(sum(kind.squares.sum() for kind in kinds)),
+            redundancy=residuals.size - self.unknowns,
         )
+
+    def _adjusted(self) -> np.ndarray:
+        """Return the covariances of adjusted observations, the blocks of A N^-1 A', shape (n / 3, 3, 3)."""
+        shape = (len(self.weights), 3, -1)
+        values = self.values.reshape(shape)
+        columns = np.maximum(self.columns, 0).reshape(shape)
+        among = self.cofactors[columns[:, :, None, :, None], columns[:, None, :, None, :]]
+        return np.asarray(np.einsum("kai,kabij,kbj->kab", values, among, values))
 
     def _point_covariances(self, cofactors: np.ndarray) -> np.ndarray:
         covariances = np.zeros((len(self.given), 3, 3))
@@ -245,18 +266,31 @@ class _System:
     def _of_all_points(self, observed: Residuals) -> Residuals:
         """Return the residuals of the surveyed coordinates in the rows of all points."""
         spread = []
-        for values in (observed.residuals, observed.redundancy, observed.normalized, observed.detectable):
-            spread.append(np.full(self.given.shape, np.nan))
+        for field in fields(Residuals):
+            values = getattr(observed, field.name)
+            spread.append(np.full((len(self.given), *values.shape[1:]), np.nan))
             spread[-1][self.observed] = values
         return Residuals(*spread)
 
 
 def _tested(
-    residuals: np.ndarray, redundancy: np.ndarray, sigmas: np.ndarray, tests: OutlierTestSettings
+    residuals: np.ndarray, weights: np.ndarray, adjusted: np.ndarray, tests: OutlierTestSettings
 ) -> Residuals:
+    """Return the statistics of observations with the blocks `weights` of P, shape (k, 3, 3).
+
+    References
+    ----------
+    Baarda (1968): A testing procedure for use in geodetic networks. With v = m R B + T - A, Qvv is
+    P^-1 - A N^-1 A'.
+    """
+    of_residuals = weights - weights @ adjusted @ weights
+    redundancy = 1.0 - np.einsum("kab,kba->ka", adjusted, weights)
+    weighted = np.einsum("kab,kb->ka", weights, residuals)
+    diagonals = [np.diagonal(each, axis1=1, axis2=2) for each in (of_residuals, weights)]
     return Residuals(
         residuals=residuals,
-        redundancy=redundancy,
-        normalized=normalized_residuals(residuals / sigmas, redundancy, np.ones(1), tests),
-        detectable=detectable_biases(sigmas, redundancy, tests),
+        redundancy=np.where(np.abs(redundancy) < tests.least_redundancy, 0.0, redundancy),
+        normalized=normalized_residuals(weighted, *diagonals, tests),
+        detectable=detectable_biases(*diagonals, tests),
+        squares=np.einsum("ka,ka->k", residuals, weighted),
     )

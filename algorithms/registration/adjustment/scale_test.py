@@ -14,17 +14,13 @@ from .target_layout import is_of_projection
 WITH_SCALE = {Model.RIGID: Model.SIMILARITY, Model.LEVELLED: Model.LEVELLED_SCALE}
 
 
-def scale_test(
-    targets: np.ndarray, points: np.ndarray, number: int, adjusted: Adjusted, settings: Settings
-) -> ScaleTest:
+def scale_test(sighting: Sighting, number: int, adjusted: Adjusted, settings: Settings) -> ScaleTest:
     """Test the scale of a scan, if its model has none by an adjustment of the scan alone with a scale.
 
     Parameters
     ----------
-    targets : ndarray, shape (k, 3)
-        Those that were used.
-    points : ndarray of int, shape (k,)
-        Their control points.
+    sighting : Sighting
+        The targets that were used, with the adjusted pose.
     number : int
         Of the scan in the block.
     adjusted : Adjusted
@@ -34,12 +30,11 @@ def scale_test(
     scaled = WITH_SCALE.get(model, model)
     if model is scaled:
         of_scan = adjusted.tests[number]
-        return _tested(block.poses[number], block.pose_cofactors[number], of_scan, targets, settings)
-    sighting = Sighting(targets, points, block.poses[number])
+        return _tested(block.poses[number], block.pose_cofactors[number], of_scan, sighting.targets, settings)
     fixed = np.ones(len(block.points), bool)
     alone = adjust([sighting], block.points, fixed, scaled, settings.sigma, settings=settings.adjustment)
     test = global_test(alone.sum_of_squares, alone.redundancy, settings.adjustment.tests)
-    return _tested(alone.poses[0], alone.pose_cofactors[0], test, targets, settings)
+    return _tested(alone.poses[0], alone.pose_cofactors[0], test, sighting.targets, settings)
 
 
 def _tested(

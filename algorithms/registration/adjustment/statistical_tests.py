@@ -56,10 +56,21 @@ def normalized_residuals(
 
 
 def detectable_biases(
-    sigmas: np.ndarray, redundancy: np.ndarray, settings: OutlierTestSettings = OutlierTestSettings()
+    cofactors: np.ndarray, weights: np.ndarray, settings: OutlierTestSettings = OutlierTestSettings()
 ) -> np.ndarray:
-    """Return the minimal detectable biases sigma delta0 / sqrt(r), nan where r is 0."""
-    return divided(sigmas * settings.noncentrality, _roots(redundancy, np.ones(1), settings))
+    """Return the minimal detectable biases, nan where nothing checks an observation.
+
+    They are delta0 over the roots of the diagonal of P Qvv P; of unrelated observations,
+    sigma delta0 / sqrt(r).
+
+    Parameters
+    ----------
+    cofactors, weights : ndarray
+        As of `normalized_residuals`.
+    settings : OutlierTestSettings
+    """
+    roots = _roots(cofactors, weights, settings)
+    return divided(np.full(roots.shape, settings.noncentrality), roots)
 
 
 def _roots(cofactors: np.ndarray, weights: np.ndarray, settings: OutlierTestSettings) -> np.ndarray:

@@ -17,6 +17,7 @@ from ...shapefile import lacks_table, refuse_damaged
 from ...tables.column_names import POINTS, simplified
 from ...tables.header import metres_of
 from ...tables.units import unit_of
+from .covariances import CORRELATIONS, STDS, covariances_of
 from .point_rows import Rows
 from .settings import ListSettings
 
@@ -24,7 +25,6 @@ Attributes = dict[str, Any]
 Feature = tuple[Optional[tuple[float, ...]], Attributes]
 """Coordinates, None if they are not those of a single point, and attributes by field, None for null."""
 
-STDS = ("sx", "sy", "sz")
 CONTROL_OUT = {"name", "origin", "seen_by", *STDS}
 """Fields by which the control points of an earlier registration are known."""
 
@@ -94,7 +94,28 @@ def read_features(
     names = _names(source, attributes)
     places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
     origins, stds = _appended(attributes)
-    return Rows(source, places, names, xyz, parse_layer_wkt(wkt, source), warnings, origins, stds)
+    return Rows(
+        source=source,
+        places=places,
+        names=names,
+        xyz=xyz,
+        crs=parse_layer_wkt(wkt, source),
+        warnings=warnings,
+        origins=origins,
+        stds=stds,
+        covariances=_covariances(attributes),
+    )
+
+
+def _covariances(attributes: list[Attributes]) -> Optional[np.ndarray]:
+    """Return the covariances of the points, None if the layer has no standard deviations."""
+    if not set(STDS) <= attributes[0].keys():
+        return None
+    stds, correlations = (
+        np.array([[_number(values.get(field)) for field in fields] for values in attributes])
+        for fields in (STDS, CORRELATIONS)
+    )
+    return covariances_of(stds, correlations)
 
 
 def _appended(attributes: list[Attributes]) -> tuple[tuple[str, ...], Optional[np.ndarray]]:

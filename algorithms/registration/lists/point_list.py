@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Optional, Union
 
 import numpy as np
 from rasterio.crs import CRS
 
+from ...clouds.formats import format_of
 from ...clouds.source import unreadable
 from ...errors import InputError
 from .point_layer import SUFFIXES, Feature, list_name, read_features, read_layer
@@ -41,6 +43,8 @@ class PointList:
         for lists that do not say so.
     stds : ndarray of float64, shape (n,), or None
         Standard deviations of a coordinate, metres, where the list has them, else nan.
+    covariances : ndarray of float64, shape (n, 3, 3), or None
+        Of the coordinates of targets, square metres, where the list has them, else nan.
     """
 
     name: str
@@ -52,6 +56,7 @@ class PointList:
     path: Optional[Path] = None
     origins: tuple[str, ...] = ()
     stds: Optional[np.ndarray] = None
+    covariances: Optional[np.ndarray] = None
 
 
 def read_point_list(
@@ -82,6 +87,22 @@ def read_point_list(
     except OSError as error:
         raise unreadable(path, error) from error
     return _point_list(name, rows, path)
+
+
+def is_cloud(path: Union[str, Path], settings: ListSettings = ListSettings()) -> bool:
+    """Return whether a file is a point cloud and not a list: by its extension, or by its number of lines.
+
+    A file that cannot be opened is no cloud; reading it as a list says why.
+    """
+    path = Path(path)
+    known = format_of(path)
+    if known is None or not known.is_text:
+        return known is not None
+    try:
+        with path.open("rb") as lines:
+            return sum(1 for _ in islice(lines, settings.most_points + 1)) > settings.most_points
+    except OSError:
+        return False
 
 
 def points_of_features(
@@ -124,6 +145,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         path=path,
         origins=tuple(rows.origins[row] for row in kept) if rows.origins else (),
         stds=None if rows.stds is None else rows.stds[kept],
+        covariances=None if rows.covariances is None else rows.covariances[kept],
     )
 
 

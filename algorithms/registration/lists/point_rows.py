@@ -27,6 +27,8 @@ class Rows:
         empty texts for others, and nothing if the file does not say so.
     stds : ndarray of float64, shape (n,), or None
         Standard deviations of a coordinate, metres, if the file has them; nan where unknown.
+    covariances : ndarray of float64, shape (n, 3, 3), or None
+        Of the coordinates, square metres, if the file has their standard deviations; nan where unknown.
     warnings : tuple of str
     """
 
@@ -38,3 +40,4 @@ class Rows:
     warnings: tuple[str, ...] = ()
     origins: tuple[str, ...] = ()
     stds: Optional[np.ndarray] = None
+    covariances: Optional[np.ndarray] = None

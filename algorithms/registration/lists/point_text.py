@@ -21,6 +21,7 @@ from ...tables.dialect import (
 from ...tables.encoding import read_lines
 from ...tables.header import Header, read_preamble
 from ...tables.units import factor_of
+from .covariances import CORRELATIONS, STDS, covariances_of
 from .point_rows import Rows
 from .settings import ListSettings
 
@@ -37,15 +38,19 @@ class ListColumns:
     name : tuple of int
         Several if blanks separate columns and occur in names too, as in 'Point #0'; empty without names.
     xyz : tuple of 3 int
+    stds, correlations : tuple of 3 int, or empty
+        Standard deviations and correlations of the coordinates.
     """
 
     name: tuple[int, ...]
     xyz: tuple[int, ...]
+    stds: tuple[int, ...] = ()
+    correlations: tuple[int, ...] = ()
 
     @property
     def used(self) -> tuple[int, ...]:
         """All columns that are read."""
-        return (*self.name, *self.xyz)
+        return (*self.name, *self.xyz, *self.stds, *self.correlations)
 
 
 def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
@@ -85,7 +90,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     signs = decimal_signs(path, coordinates, delimiter, bool(header.columns))
     dialect = Dialect(delimiter, signs[0], width, signs[1])
     _refuse_bad_rows(path, rows, dialect, columns)
-    xyz = np.array([[dialect.number(row[column]) for column in columns.xyz] for row in rows.values()])
+    xyz = _numbers_in(columns.xyz, rows.values(), dialect)
     metres = header.factors(path)
     units = sorted({unit for unit in header.units.values() if factor_of(unit) != 1})
     return Rows(
@@ -93,12 +98,31 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         places=tuple(f"line {number}" for number in rows),
         names=_names(rows.values(), columns.name) if columns.name else None,
         xyz=xyz * metres,
+        covariances=_covariances(columns, rows.values(), dialect, np.array(metres)),
         warnings=(
             *(f"{path} gives coordinates in {unit}; they were converted to metres." for unit in units),
             *_warnings(path, rows.values(), columns),
             *_marked(path, lines, delimiter, width),
         ),
     )
+
+
+def _numbers_in(columns: tuple[int, ...], rows: Iterable[list[str]], dialect: Dialect) -> np.ndarray:
+    return np.array([[dialect.number(row[column]) for column in columns] for row in rows])
+
+
+def _covariances(
+    columns: ListColumns, rows: Iterable[list[str]], dialect: Dialect, metres: np.ndarray
+) -> Optional[np.ndarray]:
+    """Return the covariances of the points, None if the file has no standard deviations."""
+    if not columns.stds:
+        return None
+    rows = list(rows)
+    stds = _numbers_in(columns.stds, rows, dialect) * metres
+    correlations = np.zeros(stds.shape)
+    if columns.correlations:
+        correlations = _numbers_in(columns.correlations, rows, dialect)
+    return covariances_of(stds, correlations)
 
 
 def _is_remark(line: str, delimiter: str, width: int) -> bool:
@@ -126,7 +150,11 @@ def _columns_by_name(header: Header, rows: list[list[str]]) -> ListColumns:
     columns = header.columns
     xyz = (columns["x"], columns["y"], columns["z"])
     name = columns.get("name", _unknown_names(rows, tuple(columns.values())))
-    return ListColumns(() if name is None else (name,), xyz)
+    stds, correlations = (
+        tuple(columns[role] for role in roles) if set(roles) <= columns.keys() else ()
+        for roles in (STDS, CORRELATIONS)
+    )
+    return ListColumns(() if name is None else (name,), xyz, stds, correlations if stds else ())
 
 
 def _unknown_names(rows: list[list[str]], known: tuple[int, ...]) -> Optional[int]:
@@ -234,6 +262,8 @@ def _names(rows: Iterable[list[str]], columns: tuple[int, ...]) -> tuple[str, ..
 def _warnings(path: Path, rows: Iterable[list[str]], columns: ListColumns) -> tuple[str, ...]:
     left_out = any(field for row in rows for column, field in enumerate(row) if column not in columns.used)
     read = "name, x, y and z" if columns.name else "x, y and z"
+    if columns.stds:
+        read += ", and their standard deviations,"
     return (f"Only {read} of {path} were read; its further columns were left out.",) if left_out else ()
 
 

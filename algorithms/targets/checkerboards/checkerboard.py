@@ -5,6 +5,7 @@ from typing import Optional, Union
 
 import numpy as np
 
+from ..common_errors import CommonErrorSettings, common_covariance, dim_white_error
 from ..examination import Examination, FailedError
 from ..range_image.range_image import RangeImage
 from ..results import Kind, Rejection, Target
@@ -146,7 +147,7 @@ def _fitted(
     exam.at_most("difference between quadrants of one colour", four.unevenness, tests.most_uneven)
     ray = frame.position(pattern.centre)
     xyz = plane.meets(ray / np.linalg.norm(ray))
-    covariance = _covariance(plane, frame, pattern, xyz)
+    covariance = _covariance(plane, frame, pattern, xyz, settings.common)
     target = Target(
         kind=Kind.CHECKERBOARD,
         xyz=xyz,
@@ -199,11 +200,15 @@ def _examine_extent(
     exam.at_most("width of the pattern", extent.size, high + 2 * extent.ring, "m")
 
 
-def _covariance(plane: RayPlane, frame: Frame, pattern: Pattern, xyz: np.ndarray) -> np.ndarray:
+def _covariance(
+    plane: RayPlane, frame: Frame, pattern: Pattern, xyz: np.ndarray, common: CommonErrorSettings
+) -> np.ndarray:
     """Return the covariance of the centre: on the plane from the edges, along the ray from the plane."""
     ray = xyz / np.linalg.norm(xyz)
     along = plane.range_std(ray) ** 2 * np.outer(ray, ray)
-    return np.asarray(frame.axes.T @ pattern.covariance @ frame.axes + along)
+    dim = dim_white_error(plane.step, pattern.black, pattern.white, plane.incidence_deg(xyz), common)
+    on_plane = frame.axes.T @ pattern.covariance @ frame.axes
+    return np.asarray(on_plane + along + common_covariance(xyz, dim, common))
 
 
 def _doubt(

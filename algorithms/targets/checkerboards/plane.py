@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ...geometry.robust import MAD_TO_SIGMA, sigma_of_residuals
+from ...geometry.weighted_fit import weighted_fit
 from .settings import PlaneSettings
 
 
@@ -89,7 +90,7 @@ def fit_plane(
     design = np.column_stack([rays, np.where(dark, -1.0, 0.0) / ranges**2])
     unknowns, weights = 3, (kept & ~dark) * ranges**4
     for _ in range(settings.rounds):
-        solution, inverse = _solved(design[:, :unknowns], 1.0 / ranges, weights)
+        solution, inverse = weighted_fit(design[:, :unknowns], 1.0 / ranges, weights)
         residuals = ranges - 1.0 / (rays @ solution[:3])
         step = float(np.median(residuals[dark])) if np.any(dark) else 0.0
         residuals[dark] -= step
@@ -100,20 +101,13 @@ def fit_plane(
         weights = kept * ranges**4 / each**2
     if np.count_nonzero(kept & ~dark) < 4 or sigmas[1] > settings.most_sigma_m:
         return None
-    solution, inverse = _solved(design[:, :unknowns], 1.0 / ranges, weights)
+    solution, inverse = weighted_fit(design[:, :unknowns], 1.0 / ranges, weights)
     return RayPlane(solution[:3], inverse[:3, :3], step, (sigmas[0], sigmas[1]), kept)
 
 
 def _scatter(residuals: np.ndarray, least: float) -> float:
     """Return the robust standard deviation of residuals."""
     return max(sigma_of_residuals(residuals), least) if len(residuals) else least
-
-
-def _solved(design: np.ndarray, observed: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the weighted least squares solution and the inverse of its normal matrix."""
-    weighted = design * weights[:, None]
-    inverse = np.linalg.pinv(weighted.T @ design)
-    return inverse @ (weighted.T @ observed), inverse
 
 
 def _consensus(

@@ -1,8 +1,9 @@
 """Settings of black and white targets."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...settings import judged, physical, statistical
+from ..common_errors import CommonErrorSettings
 
 
 @dataclass(frozen=True)
@@ -138,3 +139,4 @@ class CheckerboardSettings:
     pattern: PatternSettings = PatternSettings()
     extent: ExtentSettings = ExtentSettings()
     tests: AcceptanceSettings = AcceptanceSettings()
+    common: CommonErrorSettings = field(default=CommonErrorSettings())

@@ -4,12 +4,23 @@ from functools import partial
 from pathlib import Path
 from typing import Callable
 
+import numpy as np
+
 from ...errors import InputError
 from ...files import atomic_output
 from ..results import StationTargets, TargetSearch
 
 DECIMALS = 5
 """Ten micrometres, finer than any centre."""
+
+STD_DECIMALS = 7
+"""A tenth of a micrometre, so that the rounding of small standard deviations does not change weights."""
+
+CORRELATION_DECIMALS = 6
+"""Standard deviations along and across the ray that differ by a hundred are still distinguished."""
+
+COLUMNS = ("x", "y", "z", "sx", "sy", "sz", "rxy", "rxz", "ryz")
+"""The first line of a list."""
 
 
 def list_writers(search: TargetSearch) -> dict[str, Callable[[Path], None]]:
@@ -35,14 +46,26 @@ def list_writers(search: TargetSearch) -> dict[str, Callable[[Path], None]]:
 
 
 def write_list(station: StationTargets, path: Path) -> None:
-    """Write a line `x y z` for each target without doubt, in the coordinates of the scan.
+    """Write a line for each target without doubt, in the coordinates of the scan.
+
+    The columns are x y z, their standard deviations sx sy sz, and the correlations rxy rxz ryz.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    rows = (station.place(target) for target in station.sure)
-    text = "".join(" ".join(f"{value:.{DECIMALS}f}" for value in row) + "\n" for row in rows)
+    lines = [" ".join(COLUMNS)]
+    for target in station.sure:
+        stds = np.sqrt(np.diag(target.covariance))
+        correlations = (target.covariance / np.outer(stds, stds))[(0, 0, 1), (1, 2, 2)]
+        lines.append(
+            " ".join(
+                [f"{value:.{DECIMALS}f}" for value in station.place(target)]
+                + [f"{value:.{STD_DECIMALS}f}" for value in stds]
+                + [f"{value:.{CORRELATION_DECIMALS}f}" for value in correlations]
+            )
+        )
+    text = "\n".join(lines) + "\n"
     with atomic_output(path) as temporary:
         temporary.write_text(text, encoding="utf-8")

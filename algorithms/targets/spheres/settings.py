@@ -1,8 +1,9 @@
 """Settings of spheres."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...settings import judged, physical, statistical
+from ..common_errors import CommonErrorSettings
 
 
 @dataclass(frozen=True)
@@ -74,3 +75,4 @@ class SphereSettings:
     candidates: CandidateSettings = CandidateSettings()
     fit: FitSettings = FitSettings()
     acceptance: AcceptanceSettings = AcceptanceSettings()
+    common: CommonErrorSettings = field(default=CommonErrorSettings())

@@ -5,6 +5,7 @@ from typing import Union
 
 import numpy as np
 
+from ..common_errors import common_covariance, footprint_error
 from ..examination import Examination, FailedError
 from ..range_image.range_image import RangeImage
 from ..results import Kind, Rejection, Target
@@ -62,10 +63,11 @@ def _examined(
     exam.at_least("part of the sphere that was seen", coverage, limits.least_coverage)
     exam.at_most("part of the rays that pass through it", through, limits.most_through)
     exam.at_most("part of the surroundings at its depth", attached, limits.most_attached)
+    spot = footprint_error(distance, fit.radius, settings.common)
     target = Target(
         kind=Kind.SPHERE,
         xyz=fit.centre,
-        covariance=fit.covariance[:3, :3],
+        covariance=fit.covariance[:3, :3] + common_covariance(fit.centre, spot, settings.common),
         size=nearest,
         points=int(np.count_nonzero(fit.used)),
         incidence_deg=None,

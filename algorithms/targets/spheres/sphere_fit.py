@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ...geometry.robust import sigma_of_residuals, tukey_weights
+from ...geometry.weighted_fit import weighted_fit
 from .settings import FitSettings
 
 
@@ -85,9 +86,7 @@ def fit_sphere(
         sigma = max(sigma_of_residuals(residuals[near]), settings.least_sigma_m)
         weights = np.where(seen, tukey_weights(residuals, sigma, settings.outlier), 0.0)
         design = np.column_stack([normals, np.ones(len(rays))])[:, :unknowns] / -cosine[:, None]
-        weighted = design * weights[:, None]
-        inverse = np.linalg.pinv(weighted.T @ design)
-        change = inverse @ (weighted.T @ residuals)
+        change, inverse = weighted_fit(design, residuals, weights)
         change *= min(1.0, 0.5 * radius / max(float(np.linalg.norm(change)), 1e-12))
         centre = centre + change[:3]
         radius += float(change[3]) if free else 0.0

@@ -3,7 +3,7 @@
 import laspy
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.cloud import clouds_in, open_cloud
+from ichnograph.algorithms.clouds.cloud import clouds_in, open_cloud, open_scans
 from ichnograph.algorithms.clouds.formats import FORMATS
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
@@ -192,3 +192,11 @@ def test_a_cloud_with_northings_before_eastings_is_said_to_be_mirrored(tmp_path)
     cloud = open_cloud([tmp_path / "a.xyz"], CRS.from_epsg(25833))
     assert "x and y of" in cloud.warnings[-1]
     assert "the plan would be mirrored" in cloud.warnings[-1]
+
+
+def test_scans_that_are_not_registered_may_have_different_systems_or_none(tmp_path):
+    paths = [las(tmp_path / "a.las", FIRST, 25832), las(tmp_path / "b.las", SECOND, 25833)]
+    scans = open_scans([*paths, text(tmp_path / "c.xyz", FIRST)])
+
+    assert [source.path.name for source in scans.sources] == ["a.las", "b.las", "c.xyz"]
+    assert scans.crs is None and not scans.origin.any() and scans.warnings == ()

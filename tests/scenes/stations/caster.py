@@ -8,12 +8,11 @@ from numba import njit
 PLAIN, CROSSED, TILED, PRINTED, BARRED = range(5)
 """What is on a panel: one tone, two edges that cross, tiles, a poster, a window with glazing bars."""
 
-BUNDLE = np.array(
-    [[0.0, 0.0, 1.0]]
-    + [[0.5 * np.cos(a), 0.5 * np.sin(a), 0.61] for a in np.arange(6) * np.pi / 3]
-    + [[np.cos(a), np.sin(a), 0.135] for a in (np.arange(6) + 0.5) * np.pi / 3]
-)
-"""Rays of a beam: offsets in units of its radius (1/e2), and the light of each."""
+RAYS = 13
+"""Of a beam; each stands for as much light."""
+
+GOLDEN_ANGLE, GOLDEN_PART = np.pi * (3 - 5**0.5), (5**0.5 - 1) / 2
+"""By which the rays of a beam are spread around it and across it."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +81,9 @@ class Scanner:
         Radius of the beam at the scanner, metres, and its growth per metre.
     jitter : float
         Standard deviation of a direction, radians.
+    common : tuple of 2 float
+        Standard deviations of what all points of a window have in common: range, metres, and direction,
+        radians. However many points there are, they do not average it out.
     grain : float
         Standard deviation of an intensity, as a part of it.
     """
@@ -91,6 +93,7 @@ class Scanner:
     crosstalk: float = 0.001
     beam: tuple[float, float] = (0.0017, 0.00015)
     jitter: float = 0.00001
+    common: tuple[float, float] = (0.00005, 0.000007)
     grain: float = 0.03
 
 
@@ -119,15 +122,13 @@ def cast(scanner: Scanner, window: Window, rng: np.random.Generator) -> tuple[np
     elevation = _lattice(window.elevation, window.half[1], scanner.step)
     grid = np.stack(np.meshgrid(azimuth, elevation, indexing="ij"), axis=-1).reshape(-1, 2)
     true = grid + rng.normal(0.0, scanner.jitter, grid.shape) / [np.cos(window.elevation), 1.0]
+    true += rng.normal(0.0, scanner.common[1], 2) / [np.cos(window.elevation), 1.0]
     ranges, power = _cast(
-        _rays(true),
-        *_arrays(window.things),
-        BUNDLE,
-        np.array(scanner.beam),
-        rng.uniform(0, 2 * np.pi, len(grid)),
+        _rays(true), *_arrays(window.things), np.array(scanner.beam), rng.uniform(0, 1, (len(grid), 2))
     )
     met = ranges > 0
     ranges, power, rays = ranges[met], power[met], _rays(grid[met])
+    ranges += rng.normal(0.0, scanner.common[0])
     tone = np.clip(power / 0.5, 0.0, 1.0)
     ranges = (
         ranges + scanner.crosstalk * (1 - tone) + rng.normal(0, scanner.noise, len(ranges)) * (3 - 2 * tone)
@@ -234,11 +235,14 @@ def _cast(
     panels: np.ndarray,
     balls: np.ndarray,
     rods: np.ndarray,
-    bundle: np.ndarray,
     beam: np.ndarray,
-    turns: np.ndarray,
+    chance: np.ndarray,
 ) -> tuple:
-    """Return the range of each beam, the mean of its rays by their light, and the light that returns."""
+    """Return the range of each beam, the mean of its rays by their light, and the light that returns.
+
+    The rays are spread at random, from 0 to 1 twice for each beam, so that the mean of many beams is a
+    Gaussian one without the steps that a few fixed rays have.
+    """
     ranges, power = np.zeros(len(rays)), np.zeros(len(rays))
     ray = np.zeros(3)
     for number in range(len(rays)):
@@ -248,20 +252,20 @@ def _cast(
         up = (-middle[2] * across[1], middle[2] * across[0], level)
         reach, _ = _first(middle, panels, balls, rods)
         width = (beam[0] / reach if reach > 0 else 0.0) + beam[1]
-        cosine, sine = np.cos(turns[number]), np.sin(turns[number])
-        total, weighted, everything = 0.0, 0.0, 0.0
-        for part in bundle:
-            x = width * (part[0] * cosine - part[1] * sine)
-            y = width * (part[0] * sine + part[1] * cosine)
+        total, weighted = 0.0, 0.0
+        for part in range(RAYS):
+            inner = (part + (chance[number, 0] + part * GOLDEN_PART) % 1.0) / RAYS
+            away = width * np.sqrt(-0.5 * np.log(1.0 - inner))
+            turn = 2 * np.pi * chance[number, 1] + part * GOLDEN_ANGLE
+            x, y = away * np.cos(turn), away * np.sin(turn)
             for axis in range(3):
                 ray[axis] = middle[axis] + x * across[axis] + y * up[axis]
             ray /= np.sqrt(ray[0] ** 2 + ray[1] ** 2 + ray[2] ** 2)
             t, light = _first(ray, panels, balls, rods)
-            everything += part[2]
             if t > 0:
-                total += part[2] * light
-                weighted += part[2] * light * t
-        if total > 0.01 * everything:
+                total += light
+                weighted += light * t
+        if total > 0.01 * RAYS:
             ranges[number] = weighted / total
-            power[number] = total / everything
+            power[number] = total / RAYS
     return ranges, power

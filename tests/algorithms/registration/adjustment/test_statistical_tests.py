@@ -113,16 +113,16 @@ def test_w_is_the_residual_over_its_own_standard_deviation():
 @pytest.mark.parametrize(("redundancy", "factor"), [(1.0, 4.13), (0.25, 8.26), (0.1, 13.07), (0.01, 41.32)])
 def test_minimal_detectable_biases_grow_with_small_redundancy_numbers(redundancy, factor):
     # Baarda: sigma delta0 / sqrt(r).
-    bias = detectable_biases(np.array([0.003]), np.array([redundancy]))
+    bias = detectable_biases(np.array([redundancy / 0.003**2]), np.array([0.003**-2]))
 
     assert bias[0] == pytest.approx(0.003 * factor, rel=1e-3)
-    assert np.isnan(detectable_biases(np.array([0.003]), np.array([0.0]))[0])
+    assert np.isnan(detectable_biases(np.array([0.0]), np.array([0.003**-2]))[0])
 
 
 def test_a_bias_of_the_minimal_detectable_size_is_found_with_the_stated_power():
     tests, random = OutlierTestSettings(), np.random.default_rng(1)
     number = 5 / 6
-    bias = detectable_biases(np.array([1.0]), np.array([number]))[0]
+    bias = detectable_biases(np.array([number]), np.array([1.0]))[0]
     values = random.normal(size=(40_000, 6))
     values[:, 0] += bias
     w = (values - values.mean(axis=1, keepdims=True))[:, 0] / np.sqrt(number)

@@ -234,3 +234,16 @@ def test_a_shapefile_whose_table_is_missing_has_no_names_and_it_is_said(tmp_path
     points = read_point_list(path)
     assert not points.named
     assert "has no table (.dbf) beside it" in points.warnings[0]
+
+
+def test_fields_of_standard_deviations_are_read_with_correlations_if_there_are_any(tmp_path):
+    schema = dict.fromkeys(("sx", "sy", "sz", "rxy"), "float")
+    values = [
+        {"sx": 0.001, "sy": 0.002, "sz": 0.003, "rxy": 0.5},
+        {"sx": None, "sy": 1.0, "sz": 1.0, "rxy": 0},
+    ]
+    path = write_layer(tmp_path / "a.gpkg", XYZ[:2], schema, values)
+    covariances = read_point_list(path).covariances
+
+    assert covariances[0] == pytest.approx(np.array([[1e-6, 1e-6, 0], [1e-6, 4e-6, 0], [0, 0, 9e-6]]))
+    assert np.isnan(covariances[1]).all()

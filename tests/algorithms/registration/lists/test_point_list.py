@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.registration.lists.point_list import read_point_list
+from ichnograph.algorithms.registration.lists.point_list import is_cloud, read_point_list
 from ichnograph.tests.algorithms.registration.lists.written_lists import refuse, write
 
 DATA = Path(__file__).resolve().parents[5] / "shared" / "data"
@@ -57,3 +57,48 @@ def test_published_lists(file, count, names, first):
 @needs_data
 def test_published_lists_without_heights_are_refused():
     refuse(DATA / "registration" / "levelled_source.txt", "x and y but no z")
+
+
+def test_a_text_file_with_more_points_than_anybody_picks_is_a_cloud(tmp_path):
+    row = "1.5 2.5 3.5 800\n"
+    (tmp_path / "list.xyz").write_text(20_000 * row)
+    (tmp_path / "cloud.xyz").write_text(20_001 * row)
+
+    assert is_cloud(tmp_path / "cloud.xyz") and not is_cloud(tmp_path / "list.xyz")
+
+
+@pytest.mark.parametrize(
+    ("name", "cloud"),
+    [("a.e57", True), ("a.LAZ", True), ("a.gpkg", False), ("a.list", False), ("a.txt", False)],
+)
+def test_other_files_are_clouds_by_their_extension(tmp_path, name, cloud):
+    assert is_cloud(tmp_path / name) == cloud
+
+
+def test_standard_deviations_and_correlations_are_read_by_their_names(tmp_path):
+    rows = [
+        "name sx x y sz z sy rxz rxy ryz",
+        "A 0.001 1 2 0.003 3 0.002 0.5 0 0",
+        "B nan 4 5 0.003 6 0.002 0 0 0",
+    ]
+    points = read_point_list(write(tmp_path, "\n".join(rows)))
+
+    assert points.names == ("A", "B") and points.warnings == ()
+    assert points.covariances[0] == pytest.approx(
+        np.array([[1e-6, 0, 1.5e-6], [0, 4e-6, 0], [1.5e-6, 0, 9e-6]])
+    )
+    assert np.isnan(points.covariances[1]).all()
+
+
+def test_standard_deviations_are_in_the_units_of_the_coordinates(tmp_path):
+    text = "x[mm] y[mm] z[mm] sx sy sz\n1000 2000 3000 1 2 3\n4 5 6 1 2 3\n"
+    points = read_point_list(write(tmp_path, text))
+
+    assert points.covariances[0] == pytest.approx(np.diag([1e-6, 4e-6, 9e-6]))
+
+
+def test_a_list_without_all_three_standard_deviations_has_no_covariances(tmp_path):
+    points = read_point_list(write(tmp_path, "x y z sx sy\n1 2 3 0.1 0.1\n4 5 6 0.1 0.1\n"))
+
+    assert points.covariances is None
+    assert "further columns were left out" in points.warnings[0]

@@ -1,5 +1,8 @@
 """The lists of targets."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.registration.lists.point_list import read_point_list
@@ -12,7 +15,10 @@ def test_a_list_holds_the_targets_without_doubt_in_the_coordinates_of_the_file(t
     writers = list_writers(found)
     writers["hall.txt"](tmp_path / "hall.txt")
 
-    assert (tmp_path / "hall.txt").read_text() == "101.00000 202.00000 13.00000\n"
+    assert (tmp_path / "hall.txt").read_text().splitlines() == [
+        "x y z sx sy sz rxy rxz ryz",
+        "101.00000 202.00000 13.00000 0.0010000 0.0020000 0.0030000 0.000000 0.000000 0.000000",
+    ]
 
 
 def test_a_list_is_read_by_the_registration(tmp_path):
@@ -22,6 +28,18 @@ def test_a_list_is_read_by_the_registration(tmp_path):
 
     assert points.names == ("1", "2", "3", "4")
     assert points.xyz[3].tolist() == [103.0, 200.0, 11.0]
+    assert points.warnings == ()
+
+
+def test_the_registration_reads_the_covariances_of_the_centres(tmp_path):
+    ray = np.array([0.6, 0.64, 0.48])
+    needle = 1e-8 * np.eye(3) + 4e-6 * np.outer(ray, ray)
+    found = search(station("hall", replace(target(), covariance=needle)))
+    list_writers(found)["hall.txt"](tmp_path / "hall.txt")
+    points = read_point_list(tmp_path / "hall.txt")
+
+    assert points.covariances[0] == pytest.approx(needle, rel=1e-3)
+    assert np.linalg.eigvalsh(points.covariances[0])[0] == pytest.approx(1e-8, rel=0.05)
 
 
 def test_a_scan_without_targets_has_no_list():
