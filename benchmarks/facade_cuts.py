@@ -68,11 +68,11 @@ def matched(every: Sequence[Sequence[Seen]]) -> list[list[Optional[Seen]]]:
     return sorted(rows, key=lambda row: (-_any(row)[1].bounds[1] // 1.0, _any(row)[1].bounds[0]))
 
 
-def _any(row: Sequence["Seen | None"]) -> Seen:
+def _any(row: Sequence[Optional[Seen]]) -> Seen:
     return next(seen for seen in row if seen is not None)
 
 
-def differences(row: Sequence["Seen | None"]) -> np.ndarray:
+def differences(row: Sequence[Optional[Seen]]) -> np.ndarray:
     """Return how far each edge differs between the clouds that measured it (m); nan if fewer than two did."""
     edges = np.array([
         [
@@ -87,7 +87,7 @@ def differences(row: Sequence["Seen | None"]) -> np.ndarray:
     return spread
 
 
-def line(row: Sequence["Seen | None"]) -> str:
+def line(row: Sequence[Optional[Seen]]) -> str:
     """Return a row of the table."""
     left, bottom, *_ = _any(row)[1].bounds
     sizes = " | ".join("-" if seen is None else _size(*seen) for seen in row)
@@ -102,7 +102,7 @@ def _size(detail: Detail, outline: Polygon) -> str:
     return f"{right - left:.3f} x {top - bottom:.3f} {detail.shape} {''.join(marks)}".strip()
 
 
-def summary(rows: Sequence[Sequence["Seen | None"]], tolerance: float) -> str:
+def summary(rows: Sequence[Sequence[Optional[Seen]]], tolerance: float) -> str:
     """Return what the clouds have in common."""
     everywhere = [row for row in rows if None not in row]
     spread = np.concatenate([differences(row) for row in rows]) if rows else np.empty(0)

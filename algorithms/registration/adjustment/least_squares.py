@@ -286,11 +286,11 @@ def _tested(
     of_residuals = weights - weights @ adjusted @ weights
     redundancy = 1.0 - np.einsum("kab,kba->ka", adjusted, weights)
     weighted = np.einsum("kab,kb->ka", weights, residuals)
-    diagonals = [np.diagonal(each, axis1=1, axis2=2) for each in (of_residuals, weights)]
+    cofactors, own = (np.diagonal(each, axis1=1, axis2=2) for each in (of_residuals, weights))
     return Residuals(
         residuals=residuals,
         redundancy=np.where(np.abs(redundancy) < tests.least_redundancy, 0.0, redundancy),
-        normalized=normalized_residuals(weighted, *diagonals, tests),
-        detectable=detectable_biases(*diagonals, tests),
+        normalized=normalized_residuals(weighted, cofactors, own, tests),
+        detectable=detectable_biases(cofactors, own, tests),
         squares=np.einsum("ka,ka->k", residuals, weighted),
     )
