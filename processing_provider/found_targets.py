@@ -42,8 +42,8 @@ def lists_of(given: TargetFiles, by_names: bool, log: Log, progress: "Progress")
     log.info(f"Searching {len(given.clouds)} scans for targets, because they have no lists.")
     search = find_targets(open_scans(given.clouds), settings, progress)
     log_search(search, settings, log)
-    found = [_list_of(station) for station in search.stations if station.sure]
-    if not found and not given.lists:
+    found = [_list_of(station) for station in search.stations]
+    if not given.lists and not any(station.sure for station in search.stations):
         raise NothingFoundError(
             "No target was found in the scans; the log says which tests failed, and how near. Pick the "
             "targets, or try 'Find targets in scans' with the size of the targets."

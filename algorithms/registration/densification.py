@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import block_diag
 from scipy.spatial.distance import cdist
 
 from .adjustment.control_network import ControlNetwork
 from .adjustment.scan_adjustment import Fit, fit_scan
 from .adjustment.similarity import Pose, parameter_design
+from .adjustment.target_covariances import in_control_frame
 from .adjustment.target_layout import line_width
 from .lists.point_list import PointList
 from .matching.scan_matching import ScanMatch
@@ -59,12 +61,12 @@ def placed_scan(
         Of the round.
     """
     labels = match.solution.labels.copy()
-    fit, network = _fitted(scan.xyz, labels, network, settings)
+    fit, network = _fitted(scan, labels, network, settings)
     # Other scans may have appended points since this one was matched.
     more = _appended_matches(scan, fit, labels, network, settings)
     if more:
         labels[list(more)] = list(more.values())
-        fit, network = _fitted(scan.xyz, labels, network, settings)
+        fit, network = _fitted(scan, labels, network, settings)
     rows = np.flatnonzero(labels >= 0)
     used = rows[fit.used]
     rejected = {int(rows[number]): normalized for number, normalized in fit.rejected.items()}
@@ -80,16 +82,17 @@ def placed_scan(
 
 
 def _fitted(
-    targets: np.ndarray, labels: np.ndarray, network: ControlNetwork, settings: Settings
+    scan: PointList, labels: np.ndarray, network: ControlNetwork, settings: Settings
 ) -> tuple[Fit, ControlNetwork]:
     rows = np.flatnonzero(labels >= 0)
     network = network.with_correlated(labels[rows])
     fit = fit_scan(
-        targets[rows],
+        scan.xyz[rows],
         network.points[labels[rows]],
         network.covariance_of(labels[rows]),
         settings,
-        line_width(targets, settings),
+        line_width(scan.xyz, settings),
+        None if scan.covariances is None else scan.covariances[rows],
     )
     return fit, network
 
@@ -153,7 +156,9 @@ def _appended(
         return network
     design = fit.pose.rotated(scan.xyz[rows])
     design = parameter_design(design, fit.model).reshape(-1, fit.model.unknowns)
-    covariance = design @ fit.cofactors @ design.T + np.eye(len(design)) * sigma**2
+    own = None if scan.covariances is None else scan.covariances[rows]
+    of_targets = block_diag(*in_control_frame(own, len(rows), fit.pose, sigma))
+    covariance = design @ fit.cofactors @ design.T + of_targets
     with_loose = design @ fit.gain @ network.covariance_with_loose(used)
     names = tuple(scan.names[row] for row in rows)
     return network.appended(scan.name, names, fit.pose.apply(scan.xyz[rows]), covariance, with_loose)

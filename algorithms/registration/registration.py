@@ -45,6 +45,7 @@ def register_scans(
         If the caller asked to stop.
     """
     _check(control, scans, settings)
+    settings, of_survey = _with_survey(scans, settings)
     near = {scan.name: reduced(scan) for scan in scans}
     own, origin = reduced(control)
     frames = Frames(origin, {name: start for name, (_, start) in near.items()})
@@ -58,7 +59,12 @@ def register_scans(
         points=(),
         test=GlobalTest(0.0, 0.0, float("nan"), float("nan")),
         crs=control.crs,
-        warnings=(*control.warnings, *_appended_before(network), *_coincident(network, settings)),
+        warnings=(
+            *control.warnings,
+            *of_survey,
+            *_appended_before(network),
+            *_coincident(network, settings),
+        ),
     )
     if not sequence.placed:
         return replace(registration, scans=tuple(refused_scan(scan, sequence) for scan in scans))
@@ -90,10 +96,26 @@ def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -
         raise InputError("No list of targets was given; choose at least one.")
 
 
+def _with_survey(scans: Sequence[PointList], settings: Settings) -> tuple[Settings, list[str]]:
+    """Return settings in which control points have a standard deviation if targets have their own.
+
+    Beside centres that are exact to a tenth of a millimetre, the errors of the survey are not small: held
+    fixed, it would lead to the rejection of right targets.
+    """
+    own = any(scan.covariances is not None and np.isfinite(scan.covariances).any() for scan in scans)
+    if settings.control_sigma or not own:
+        return settings, []
+    sentence = (
+        "Targets have standard deviations of their own, so control points are not held fixed but count with "
+        f"SIGMA, {1000 * settings.sigma:g} mm; set CONTROL_SIGMA to the standard deviation of the survey."
+    )
+    return replace(settings, control_sigma=settings.sigma), [sentence]
+
+
 def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
     """Return the list near the origin, sorted, and what was subtracted from its coordinates."""
     # Whole metres, whose subtraction is exact.
-    origin = np.round(points.xyz.mean(axis=0))
+    origin = np.round(points.xyz.mean(axis=0)) if len(points.xyz) else np.zeros(3)
     order = np.lexsort(points.xyz.T[::-1])
     names = tuple(points.names[row] for row in order)
     return replace(

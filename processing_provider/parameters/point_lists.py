@@ -95,9 +95,12 @@ class TargetListFiles(Parameter):
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> TargetFiles:
         from ...algorithms.registration.lists.point_list import is_cloud
+        from ...algorithms.registration.lists.scan_names import has_list, lists_beside
 
-        given = _items(parameters.get(self.name), context)
-        items = [part for item in given for part in (in_folder(item) if isinstance(item, str) else [item])]
+        items: list[Item] = []
+        for item in _items(parameters.get(self.name), context):
+            found = in_folder(item) if isinstance(item, str) else [item]
+            items += found if found == [item] else [*lists_beside(found), *found]
         clouds = [item for item in items if isinstance(item, str) and is_cloud(item)]
         lists = [_read(item) for item in items if item not in clouds]
         if not items:
@@ -106,7 +109,7 @@ class TargetListFiles(Parameter):
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
             raise InputError(f"{self.name} has two lists called {twice}; remove or rename one of them.")
-        return TargetFiles(lists, [path for path in clouds if Path(path).stem not in names])
+        return TargetFiles(lists, [path for path in clouds if not has_list(names, Path(path))])
 
     def sources(self, value: TargetFiles) -> list[str]:
         return [*(str(points.path) for points in value.lists if points.path), *value.clouds]

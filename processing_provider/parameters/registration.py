@@ -49,7 +49,8 @@ SIGMA = Number(
 CONTROL_SIGMA = Number(
     "CONTROL_SIGMA",
     "Standard deviation of a control point",
-    "Of each coordinate of a surveyed point. 0 holds the surveyed points fixed.",
+    "Of each coordinate of a surveyed point. 0 holds the surveyed points fixed; if targets have standard "
+    "deviations of their own, 0 takes the one of targets without.",
     unit="m",
     default=0,
     minimum=0,

@@ -280,13 +280,17 @@ def test_scans_are_registered_by_the_targets_found_in_them(run, raw, stations, t
 def test_found_targets_count_by_their_own_standard_deviations(run, raw, tmp_path):
     """Lists that findtargets writes give what the scans give, whatever SIGMA is; bare coordinates do not."""
     lists = run("findtargets", INPUT=raw["TARGETS"], OUTPUT_FOLDER=str(tmp_path / "lists"))["LISTS"]
-    direct = run("registerscans", **raw)
-    listed = run("registerscans", **{**raw, "TARGETS": lists})
-    coarse = run("registerscans", **{**raw, "TARGETS": lists, "SIGMA": 0.006})
+    bare = [str(tmp_path / f"{Path(path).stem}.csv") for path in lists]
+    for path, coordinates in zip(lists, bare):
+        np.savetxt(coordinates, np.loadtxt(path, skiprows=1)[:, :3], fmt="%.5f")
+    raw["CONTROL_SIGMA"] = 0.001
 
-    assert listed["SIGMA0"] == pytest.approx(direct["SIGMA0"], rel=0.02)
-    assert coarse["SIGMA0"] == pytest.approx(listed["SIGMA0"])
-    assert 0.3 < direct["SIGMA0"] < 2.5
+    def sigma0(targets, sigma):
+        return run("registerscans", **{**raw, "TARGETS": targets, "SIGMA": sigma})["SIGMA0"]
+
+    assert sigma0(lists, 0.003) == pytest.approx(sigma0(raw["TARGETS"], 0.003), rel=0.02)
+    assert sigma0(lists, 0.006) == pytest.approx(sigma0(lists, 0.003))
+    assert sigma0(bare, 0.006) == pytest.approx(sigma0(bare, 0.003) / 2, rel=0.1)
 
 
 def test_a_scan_whose_list_is_given_too_is_not_searched(run, raw, tmp_path, feedback):

@@ -1,15 +1,17 @@
 """The adjustment of one scan to control points whose errors may be correlated (paper, eqs. 2 to 5)."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg import block_diag, cho_factor, cho_solve
 
 from ..results import GlobalTest
 from ..settings import Model, Settings
 from .gauss_newton import iterated
 from .similarity import Pose, fit_pose, moved_pose, parameter_design
 from .statistical_tests import global_test, normalized_residuals, worst_target
+from .target_covariances import in_control_frame
 from .target_layout import fixes_pose
 
 State = tuple[Pose, np.ndarray, np.ndarray]
@@ -52,7 +54,12 @@ class _Adjusted:
 
 
 def fit_scan(
-    targets: np.ndarray, points: np.ndarray, covariance: np.ndarray, settings: Settings, width: float
+    targets: np.ndarray,
+    points: np.ndarray,
+    covariance: np.ndarray,
+    settings: Settings,
+    width: float,
+    own: Optional[np.ndarray] = None,
 ) -> Fit:
     """Adjust a scan, and reject outliers one at a time, as `worst_target` finds them.
 
@@ -65,12 +72,15 @@ def fit_scan(
     settings : Settings
     width : float
         How far from a line the targets that remain must lie.
+    own : ndarray, shape (k0, 3, 3), or None
+        Covariances of the targets in the scan, nan where SIGMA counts; None if it counts for all.
     """
     used = np.ones(len(targets), bool)
     rejected: dict[int, np.ndarray] = {}
     while True:
         rows = np.repeat(used, 3)
-        related = covariance[np.ix_(rows, rows)] + np.eye(rows.sum()) * settings.sigma**2
+        of_targets = _of_targets(targets[used], points[used], None if own is None else own[used], settings)
+        related = covariance[np.ix_(rows, rows)] + of_targets
         adjusted = _adjusted(targets[used], points[used], related, settings)
         test = adjusted.test
         worst = worst_target(adjusted.normalized, test.sigma0, test.redundancy, settings.adjustment.tests)
@@ -83,6 +93,14 @@ def fit_scan(
             break
         rejected[number], used = adjusted.normalized[worst], rest
     return Fit(settings.model, adjusted.pose, adjusted.cofactors, adjusted.gain, used, rejected)
+
+
+def _of_targets(
+    targets: np.ndarray, points: np.ndarray, own: Optional[np.ndarray], settings: Settings
+) -> np.ndarray:
+    """Return the covariance of the targets in the control frame, shape (3 k, 3 k)."""
+    pose = fit_pose(points, targets, settings.model)
+    return block_diag(*in_control_frame(own, len(targets), pose, settings.sigma))
 
 
 def _adjusted(

@@ -122,7 +122,7 @@ def _settings(registration: Registration) -> list[tuple[str, str]]:
     return [
         ("matching", "by names" if settings.matching is Matching.NAMES else "by distances"),
         ("transformation", f"{MODELS[settings.model]}, {settings.model.unknowns} parameters"),
-        ("standard deviation of a target", f"{1000 * settings.sigma:g} mm"),
+        ("standard deviation of a target without its own", f"{1000 * settings.sigma:g} mm"),
         ("standard deviation of a control point", _control_sigma(settings)),
         ("tolerance of distances", _tolerance(registration)),
         (

@@ -17,6 +17,7 @@ from ...errors import InputError
 from ...files import atomic_output
 from ...reference_systems import horizontal, is_local, require_metres
 from ...tables.units import as_unit, factor_of
+from ..lists.scan_names import scan_of_cloud
 from ..results import REGISTERED, Correspondence, Registration, ScanRegistration
 
 ORTHOGONAL = 5e-6
@@ -265,7 +266,9 @@ def match_clouds(
     InputError
         If a cloud has no scan of its name, or no scan of a cloud is registered.
     """
-    scans: tuple[Optional[ScanTransform], ...] = tuple(_scan_of(transforms, cloud) for cloud in clouds)
+    names = [scan.name for scan in transforms.scans]
+    numbers = [scan_of_cloud(names, cloud) for cloud in clouds]
+    scans = tuple(None if number is None else transforms.scans[number] for number in numbers)
     warnings: tuple[str, ...] = ()
     if len(clouds) == len(transforms.scans) == 1 and scans[0] is None:
         (only,) = scans = transforms.scans
@@ -274,9 +277,8 @@ def match_clouds(
     refused = []
     for cloud, scan in zip(clouds, scans):
         if scan is None:
-            names = ", ".join(item.name for item in transforms.scans)
             raise InputError(
-                f"There is no scan for {cloud} in {transforms.path}, only {names}; "
+                f"There is no scan for {cloud} in {transforms.path}, only {', '.join(names)}; "
                 "name the cloud after its scan."
             )
         placed.append(scan if scan.matrix is not None else None)
@@ -288,15 +290,3 @@ def match_clouds(
     if len(refused) == len(clouds):
         raise InputError(" ".join([*refused, "Register at least one of them."]))
     return tuple(placed), (*warnings, *refused)
-
-
-def _scan_of(transforms: Transforms, cloud: Path) -> Optional[ScanTransform]:
-    stems = [cloud.stem]
-    if cloud.stem.lower().endswith(".copc"):
-        stems.append(Path(cloud.stem).stem)
-    for stem in stems:
-        for spelt in (str, str.lower):
-            found = [scan for scan in transforms.scans if spelt(scan.name) == spelt(stem)]
-            if len(found) == 1:
-                return found[0]
-    return None

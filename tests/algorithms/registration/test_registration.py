@@ -1,5 +1,7 @@
 """Registering scans: which target is which, by distances and by names, one scan and several."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies
@@ -122,6 +124,27 @@ def test_one_bad_scan_does_not_stop_the_others():
     registration = register_scans(listed("control", HALL), [listed("bad", mirrored), listed("good", good)])
 
     assert [scan.status for scan in registration.scans] == ["mirrored", "registered"]
+
+
+def test_a_scan_without_targets_is_refused_beside_the_others():
+    good, _ = scanned(HALL)
+    scans = [listed("empty", np.empty((0, 3))), listed("good", good)]
+    registration = register_scans(listed("control", HALL), scans)
+
+    assert [scan.registered for scan in registration.scans] == [False, True]
+    assert "0 targets" in registration.scans[0].reason
+
+
+def test_exact_targets_do_not_pay_for_the_errors_of_the_survey():
+    survey = HALL + np.random.default_rng(4).normal(0, 0.0015, HALL.shape)
+    targets, _ = scanned(HALL, noise=0.0001)
+    own = np.tile(np.eye(3) * 0.0001**2, (8, 1, 1))
+    exact = replace(listed("exact", targets), covariances=own)
+    registration = register_scans(listed("control", survey), [exact])
+
+    assert all(item.used for item in registration.scans[0].correspondences)
+    assert registration.settings.control_sigma == registration.settings.sigma
+    assert "set CONTROL_SIGMA" in registration.warnings[0]
 
 
 def test_scans_of_one_name_and_too_short_control_lists_are_refused():

@@ -35,6 +35,17 @@ def test_outliers_are_rejected_one_at_a_time_with_their_w():
     assert fit.pose.matrix()[:3, 3] == pytest.approx(matrix[:3, 3], abs=0.01)
 
 
+def test_a_target_is_tested_by_its_own_covariance():
+    targets, _ = scanned(HALL, noise=0.001)
+    targets[3] += [0.02, 0, 0]
+    own = np.tile(np.eye(3) * 0.001**2, (8, 1, 1))
+    own[3] *= 15**2
+    free = Settings(sigma=0.001)
+
+    assert set(fit_scan(targets, HALL, FIXED, free, WIDTH).rejected) == {3}
+    assert not fit_scan(targets, HALL, FIXED, free, WIDTH, own).rejected
+
+
 def test_an_underestimated_sigma_causes_no_rejections():
     targets, _ = scanned(HALL, noise=0.02)
 
