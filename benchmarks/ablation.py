@@ -24,6 +24,8 @@ NEVER = 1e9
 
 IDEAS: dict[str, tuple[str, dict[str, float]]] = {
     "nothing": ("cut", {}),
+    "planes are tried through sparse points": ("voxels", {"lonely_share": 1.0, "mixing_radius_m": NEVER}),
+    "the steps of stairs are floor": ("footprint", {"riser_m": -NEVER}),
     "borders cost less on full faces": ("cut", {"seen_border": 1.0}),
     "what was seen of a core counts for all of it": ("cut", {"core_seen_share": 0.0}),
     "lines extend to hidden corners": ("cut", {"extension_m": 0.0}),

@@ -121,15 +121,20 @@ def join_walls(
 
 
 def join_rooms(found: Sequence[Room], storey: StoreyPlan, settings: JoiningSettings) -> tuple[Room, ...]:
-    """Return the rooms of a storey, and the closed spaces between walls outside of its region."""
+    """Return the rooms of a storey, and the closed spaces between walls outside of it; none overlap."""
     rooms = [Room(0, room.outline, None, room.z_floor, room.z_ceiling, room.seen) for room in storey.rooms]
-    rooms += [
-        room
-        for room in found
-        if room.outline.intersection(storey.region).area < settings.own_share * room.outline.area
-    ]
+    taken = unary_union([*(room.outline for room in storey.rooms), *(wall.outline for wall in storey.walls)])
+    for room in found:
+        if room.outline.intersection(storey.region).area < settings.own_share * room.outline.area:
+            rooms += [_beside(room, taken)] if room.outline.intersects(taken) else [room]
     rooms.sort(key=lambda room: -room.area)
     return tuple(replace(room, room_id=number) for number, room in enumerate(rooms, start=1))
+
+
+def _beside(room: Room, taken: BaseGeometry) -> Room:
+    """Return the largest part of a room beside an area; the density image may miss walls between."""
+    parts = polygons_of(room.outline.difference(taken))
+    return replace(room, outline=max(parts, key=lambda part: part.area, default=room.outline))
 
 
 def bodies(walls: Sequence[Wall]) -> list[tuple[int, Polygon]]:

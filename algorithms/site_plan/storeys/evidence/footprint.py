@@ -23,8 +23,8 @@ class Footprint:
     weight : ndarray of float32, shape (rows, columns)
         0 (nothing was seen) to 1; nan where upright surfaces make it unknown.
     floor, ceiling : ndarray of float32, shape (rows, columns)
-        Heights of the lowest flat surface below `top_m` and of the highest in reach of a ceiling, metres; nan
-        where none was seen.
+        Heights of the lowest flat surface below `top_m`, or of the step of a stair above it, and of the
+        highest in reach of a ceiling, metres; nan where none was seen.
     """
 
     frame: Frame
@@ -54,6 +54,9 @@ def find_footprint(
     low = xyz[:, 2] < storey.floor + settings.top_m
     high = xyz[:, 2] > storey.floor + levels.lowest_storey_m
     floor = _extreme(np.fmin, row[low], column[low], xyz[low, 2], frame.shape)
+    steps = ~low & ~high
+    step = _extreme(np.fmin, row[steps], column[steps], xyz[steps, 2], frame.shape)
+    floor = _climbed(floor, step, round(settings.tread_m / frame.pixel_m), settings.riser_m)
     ceiling = _extreme(np.fmax, row[high], column[high], xyz[high, 2], frame.shape)
     reach = 2 * round(settings.around_m / frame.pixel_m) + 1
     around = ndimage.maximum_filter(np.where(np.isnan(ceiling), -np.inf, ceiling), reach)
@@ -74,6 +77,20 @@ def _extreme(
     heights = np.full(shape, np.nan, np.float32)
     function.at(heights, (row, column), z.astype(np.float32))
     return heights
+
+
+def _climbed(floor: np.ndarray, step: np.ndarray, reach: int, riser: float) -> np.ndarray:
+    """Return heights of the floor with the steps that lead on from it, one after the other."""
+    floor = floor.copy()
+    free = np.isnan(floor) & np.isfinite(step)
+    while free.any():
+        around = ndimage.maximum_filter(np.where(np.isnan(floor), -np.inf, floor), 2 * reach + 1)
+        reached = free & (step <= around + riser)
+        if not reached.any():
+            break
+        floor[reached] = step[reached]
+        free &= ~reached
+    return floor
 
 
 def _are_upright(uprights: Uprights, frame: Frame, fewest: int) -> np.ndarray:

@@ -17,6 +17,12 @@ HALF_RANGE = 1 << 20
 
 BITS = 21
 
+AROUND = 24
+"""Points around one, and itself, through which planes are tried; a disc of three spacings holds 28."""
+
+NARROW = 0.3
+"""Sine of the least angle between two points, seen from a third, that a plane through them is sure with."""
+
 PART = 1 << 16
 """Voxels whose normals one thread finds at a time."""
 
@@ -71,10 +77,13 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
         noise = _noise(normal, thickness, settings.upright)
     surface = thickness <= settings.flatness * radius
     lonely = np.isinf(thickness)
-    if lonely.mean() > settings.lonely_share:
-        more, thickness = _normals(xyz, 2 * radius, fewest)
-        normal[lonely] = more[lonely]
-        surface[lonely] = thickness[lonely] <= settings.flatness * radius
+    mixed = ~surface & (settings.normal_radius_spacings * spacing > settings.mixing_radius_m)
+    if lonely.mean() > settings.lonely_share or mixed.any():
+        band = settings.agreeing_noises * max(noise, settings.least_noise_m)
+        band = min(band, settings.agreeing_share * radius)
+        rows = np.flatnonzero(lonely | mixed)
+        normal[rows], count = _agreeing_normals(xyz, rows, 2 * radius, band)
+        surface[rows] = count >= settings.fewest_agreeing
     normal[~surface] = 0.0
     return Voxels(xyz, normal, settings.edge_m, spacing, noise)
 
@@ -184,6 +193,59 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
+
+
+def _agreeing_normals(
+    xyz: np.ndarray, rows: np.ndarray, radius: float, band: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return normals (n, 3) of the planes on which most of the points around one lie, and how many do.
+
+    Where points are as far apart as the two faces of a partition, those around one lie on both faces.
+    """
+    tree = cKDTree(xyz)
+    distance, near = tree.query(xyz[rows], AROUND, distance_upper_bound=radius)
+    near[np.isinf(distance)] = -1
+    normal = np.zeros((len(rows), 3), np.float32)
+    count = np.zeros(len(rows), np.int64)
+    _fit_agreeing(xyz, rows, near, band, normal, count)
+    return normal, count
+
+
+@kernel
+def _fit_agreeing(
+    xyz: np.ndarray,
+    rows: np.ndarray,
+    near: np.ndarray,
+    band: float,
+    normal: np.ndarray,
+    count: np.ndarray,
+) -> None:
+    """Write for each row the normal of the plane through its point and most near ones, and their number."""
+    away = np.empty((near.shape[1], 3))
+    for row in range(len(rows)):
+        n = 0
+        for k in range(near.shape[1]):
+            if near[row, k] >= 0 and near[row, k] != rows[row]:
+                away[n] = xyz[near[row, k]] - xyz[rows[row]]
+                n += 1
+        least = np.inf
+        for i in range(n):
+            for j in range(i):
+                x = away[i, 1] * away[j, 2] - away[i, 2] * away[j, 1]
+                y = away[i, 2] * away[j, 0] - away[i, 0] * away[j, 2]
+                z = away[i, 0] * away[j, 1] - away[i, 1] * away[j, 0]
+                size = np.sqrt(x * x + y * y + z * z)
+                if size < NARROW * np.sqrt((away[i] ** 2).sum() * (away[j] ** 2).sum()):
+                    continue
+                on, off = 1, 0.0
+                for k in range(n):
+                    distance = abs(x * away[k, 0] + y * away[k, 1] + z * away[k, 2]) / size
+                    if distance <= band:
+                        on += 1
+                        off += distance
+                if on > count[row] or (on == count[row] and off < least):
+                    count[row], least = on, off
+                    normal[row, 0], normal[row, 1], normal[row, 2] = x / size, y / size, z / size
 
 
 @kernel

@@ -186,6 +186,14 @@ def test_rooms_of_the_storey_and_closed_spaces_in_the_open_are_one_list_the_larg
     assert (found[1].openings, found[1].seen, found[1].z_ceiling) == (None, 0.98, 2.6)
 
 
+def test_a_closed_space_in_the_open_ends_at_the_rooms_of_the_storey():
+    storey = under_roof(storey_of(), JOINING)
+    around = Room(1, box(2, -6, 14, 6), 1)
+    found = join_rooms((around,), storey, JOINING)
+    assert [one.outline.area for one in found] == pytest.approx([144 - 2 * 3, 12])
+    assert found[0].outline.intersection(found[1].outline).area < 1e-9
+
+
 def test_pieces_of_one_body_are_one_outline_and_other_walls_stand_alone():
     pieces = [box(0, 0, 4, 0.2), box(4, 0, 4.2, 3)]
     storey = under_roof(storey_of(walls=pieces), JOINING)

@@ -41,6 +41,14 @@ def test_tables_stand_in_rooms_and_the_tops_of_cupboards_say_nothing():
     assert weight_at(found, 2.5, 0.5) == 0
 
 
+def test_the_steps_of_a_stair_are_floor_as_high_as_they_lead():
+    steps = [flat(0.28 * k, 0, 0.28 * (k + 1), 1, 0.18 * k) for k in range(11)]
+    found = footprint_of(*steps)
+    assert weight_at(found, 2.4, 0.5) == pytest.approx(0.8)
+    row, column = COARSE.places(np.array([[2.4, 0.5]]))
+    assert found.floor[row, column] == pytest.approx([1.44])
+
+
 def test_the_heights_of_floor_and_ceiling_are_kept():
     found = footprint_of(flat(0, 0, 2, 2, 0.02), flat(0, 0, 2, 2, 0.9), flat(0, 0, 2, 2, 2.6))
     row, column = COARSE.places(np.array([[1.0, 1.0]]))

@@ -34,6 +34,15 @@ def test_what_fills_space_has_no_normal():
     assert voxels.normal[inner].any(axis=1).mean() < 0.05
 
 
+@pytest.mark.parametrize("spacing", [0.05, 0.1])
+def test_both_faces_of_a_partition_have_normals_though_points_are_as_far_apart(spacing):
+    faces = [upright((0, y), (4, y), spacing=spacing) for y in (0.0, 0.1)]
+    rooms = [flat(0, y, 4, y + 3, 0.0, spacing) for y in (-3.0, 0.1)]
+    voxels = make_voxels([scanned(*faces, *rooms)])
+    on_faces = (voxels.xyz[:, 2] > 0.3) & (voxels.xyz[:, 2] < 2.3)
+    assert (np.abs(voxels.normal[on_faces, 1]) > 0.97).mean() > 0.95
+
+
 def test_reflections_far_away_are_left_out():
     points = np.concatenate([scanned(room(0, 0, 4, 3)), [[900.0, 0.0, 0.0], [0.0, -700.0, 3.0]]])
     assert np.abs(make_voxels([points]).xyz).max() < 5
