@@ -57,7 +57,11 @@ def office(seed: int = 0) -> Scene:
         [outline.buffer(OUTER, join_style=2).difference(unary_union(spaces)), *piers, *columns]
     )
     ceilings = [Prism(room.inside.difference(solid), SLAB, room.ceiling, "slab") for room in rooms]
-    stations = [(*room.station(random), scanner_height(random)) for room in (*rooms, rooms[0])]
+    stations = [
+        (*room.station(random), scanner_height(random))
+        for room in rooms
+        for _ in range(2 if room.inside.area > 12 else 1)
+    ]
     return Scene(
         "office",
         (*walls_with(solid, openings.voids, SLAB), *openings.fillings, *furniture, *ceilings),
