@@ -69,6 +69,7 @@ def truth_of(scene: Scene, scan: Scan) -> DrawnPlan:
         neutral=MultiLineString(scene.openings),
         judged=scene.truth.envelope.buffer(AROUND),
         rooms=tuple(scene.rooms),
+        optional_rooms=tuple(scene.doubtful_rooms),
     )
 
 

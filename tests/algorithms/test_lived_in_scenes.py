@@ -1,5 +1,7 @@
 """Simulated buildings in use: what stands in them, and what their truth says."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from ichnograph.tests.scenes.lived_in import LIVED_IN
@@ -73,6 +75,45 @@ def test_a_loft_has_no_ceiling():
     assert points[:, 2].max() < 3.7
     middle = np.hypot(*(points[:, :2] - np.array(scene.truth.centroid.coords[0])).T) < 2
     assert points[middle, 2].max() < 3.7
+
+
+def test_partitions_of_an_office_are_thinner_than_its_points_are_close():
+    scene = LIVED_IN["office"](seed=1)
+    corridor = scene.rooms[0]
+    for room in scene.rooms[1:]:
+        assert 0.07 < room.distance(corridor) < 0.13
+    assert scene.thinned > 0.05
+
+
+def test_a_thinned_cloud_has_one_point_in_each_cube():
+    wall = Prism(box(4, -5, 4.2, 5), 3.0)
+    scene = Scene("test", (wall,), np.array([[0.0, 0.0, 1.5]]))
+    every = scene.scan(0.5, range_noise=0.0)
+    thin = replace(scene, thinned=0.2).scan(0.5, range_noise=0.0)
+    cubes = np.floor((thin.points - every.points.min(axis=0)) / 0.2)
+    assert len(np.unique(cubes, axis=0)) == len(thin.points) == len(thin.intensity) == len(thin.station)
+    assert len(thin.points) < len(every.points) / 4
+
+
+def test_the_cell_of_a_depot_has_a_ceiling_of_its_own():
+    scene = LIVED_IN["depot"](seed=3)
+    cell = scene.rooms[2]
+    assert cell.area < 8
+    scan = scene.scan(COARSE, seed=0)
+    x, y, z = scan.points.T
+    over = (np.hypot(x - cell.centroid.x, y - cell.centroid.y) < 0.3) & (z > 1.5)
+    from_cell = scan.station == len(scene.stations) - 1
+    assert z[over & from_cell].max() < 2.6 < z[over & ~from_cell].max() - 1.0
+
+
+def test_a_flight_rises_through_the_ceiling_of_a_terraced_house():
+    scene = LIVED_IN["terraced_house"](seed=0)
+    points = scene.scan(COARSE, seed=0).points
+    assert points[:, 2].max() > 5.0
+    hall = scene.doubtful_rooms[0]
+    above = points[points[:, 2] > 3.0]
+    from_hall = [hall.buffer(1.5).contains(Point(x, y)) for x, y, _ in above]
+    assert np.mean(from_hall) > 0.9
 
 
 def test_furniture_stands_clear_of_doors_and_of_other_furniture():

@@ -4,7 +4,7 @@ from collections.abc import Container
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from shapely.affinity import affine_transform
@@ -86,12 +86,16 @@ class Scene:
         Standard deviation along the ray that the scanner of this scene has (m).
     pose : Pose
         From the frame of the prisms to the world.
+    thinned : float
+        Edge of the cubes of which one point each remains, as in clouds that were thinned (m); 0 keeps all.
     mirrors : tuple of Mirror
         Each in front of a prism of the material "mirror".
     drifts : ndarray, shape (n, 3)
         How far the points of each station are off, as in two passes of a moving scanner; none if not given.
     local_rooms : tuple of Polygon
         True rooms, from face to face, in the frame of the prisms.
+    local_doubtful_rooms : tuple of Polygon
+        Spaces that plans end differently, as under a stair: neither asked for nor wrong.
     local_openings : tuple of LineString
         Where doors and windows interrupt the faces of walls: leaves, frames and panes there are neither
         right nor wrong.
@@ -105,16 +109,23 @@ class Scene:
     max_range: float = 80.0
     ghosts: float = 0.0
     range_noise: float = 0.003
+    thinned: float = 0.0
     pose: Pose = field(default_factory=Pose)
     mirrors: tuple[Mirror, ...] = ()
     drifts: Optional[np.ndarray] = None
     local_rooms: tuple[Polygon, ...] = ()
+    local_doubtful_rooms: tuple[Polygon, ...] = ()
     local_openings: tuple[LineString, ...] = ()
 
     @property
     def rooms(self) -> list[Polygon]:
         """True rooms, from face to face."""
         return [self.pose.geometry(room) for room in self.local_rooms]
+
+    @property
+    def doubtful_rooms(self) -> list[Polygon]:
+        """Spaces that are neither asked for nor wrong."""
+        return [self.pose.geometry(room) for room in self.local_doubtful_rooms]
 
     @property
     def openings(self) -> list[LineString]:
@@ -191,11 +202,13 @@ class Scene:
         if self.drifts is not None:
             points = [block + drift for block, drift in zip(points, self.drifts[kept])]
         points = [self.pose.points(self._lifted(block)) for block in points]
+        points, stations = np.concatenate(points), np.repeat(kept, [len(block) for block in points])
+        first = _first_in_cubes(points, self.thinned)
         walls = np.array([is_wall(prism, self.ground) for prism in self.prisms])
         return Scan(
-            np.concatenate(points),
-            np.repeat(kept, [len(block) for block in points]),
-            np.concatenate(intensity),
+            points[first],
+            stations[first],
+            np.concatenate(intensity)[first],
             self.pose.geometry(seen_boundary(self._local_truth, walls, bodies, sum(hits))),
         )
 
@@ -208,3 +221,13 @@ class Scene:
             return points
         lift = self.ground.lift(points[:, 0], points[:, 1])
         return points + np.column_stack([np.zeros((len(points), 2)), lift])
+
+
+def _first_in_cubes(points: np.ndarray, edge: float) -> Union[slice, np.ndarray]:
+    """Return the rows of the first points in each cube of an edge (m); all if that is 0."""
+    if not edge:
+        return slice(None)
+    cubes = np.floor((points - points.min(axis=0)) / edge).astype(np.int64)
+    width, depth, _ = cubes.max(axis=0) + 1
+    keys = cubes @ np.array([1, width, width * depth])
+    return np.sort(np.unique(keys, return_index=True)[1])

@@ -146,6 +146,17 @@ def dining_table(random: np.random.Generator, room: Room) -> list[Prism]:
     return prisms
 
 
+def workstation(random: np.random.Generator, room: Room) -> list[Prism]:
+    """Return a desk with a screen at its back, which stands some way before a wall."""
+    prisms = []
+    gap = random.uniform(0.03, 0.25)
+    for footprint in room.along_wall(random, random.uniform(1.4, 3.2), 0.75, gap, high=False):
+        back = _nearest_side(footprint, room.inside).buffer(0.03, cap_style=2).intersection(footprint)
+        prisms.append(Prism(back, random.uniform(1.2, 1.5), material="furniture"))
+        prisms.append(Prism(footprint.difference(back), 0.74, 0.71, "furniture"))
+    return prisms
+
+
 def clutter(random: np.random.Generator, room: Room) -> list[Prism]:
     """Return boxes about the floor, one on another here and there."""
     prisms = []

@@ -6,8 +6,8 @@ from shapely.geometry import LineString, box
 from ..scene import Scene
 from ..shapes import DOOR_HEAD, block, disc, scanner_height
 from ..things import Prism
-from .flat import walls_with
 from .furniture import Room, bookcase, clutter, curtain, dining_table, furnish, wardrobe
+from .openings import walls_with
 
 TOP = 3.6
 OUTER = 0.4

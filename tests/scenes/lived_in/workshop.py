@@ -6,8 +6,8 @@ from shapely.geometry import LineString, box
 from ..scene import Scene
 from ..shapes import block, scanner_height
 from ..things import Prism
-from .flat import walls_with
 from .furniture import Room, boat, clutter, furnish, machine, wardrobe
+from .openings import walls_with
 
 CEILING = 4.8
 OUTER = 0.3
