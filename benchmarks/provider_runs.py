@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from ichnograph.algorithms.registration.lists.point_list import PointList
+from ichnograph.tests.algorithms.targets.made_targets import one_target
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.facades import FACADES
@@ -38,6 +39,7 @@ class ProviderRuns:
         (self.folder / "out").mkdir()
         self._clouds()
         self._lists()
+        self._others()
 
     def run(self, name: str, feedback: Any = None) -> dict[str, Any]:
         """Run an algorithm with all outputs; return its results."""
@@ -109,6 +111,20 @@ class ProviderRuns:
         self.inputs["simulateregistration"] = (
             "simulateregistration",
             {"CONTROL": control, "TRIALS": max(self.points // 5000, 2)},
+        )
+
+    def _others(self) -> None:
+        """Add the algorithms whose inputs are neither clouds of buildings nor lists of targets."""
+        scan = one_target("black and white", 0.15, 4.0)
+        hall, tape = self.folder / "hall.xyz", self.folder / "tape.csv"
+        columns = np.column_stack([scan.xyz, scan.intensity])
+        np.savetxt(hall, columns, "%.5f %.5f %.5f %d", header="x y z intensity", comments="")
+        tape.write_text("id,width,height\n" + "".join(f"{n},1.{n},2.{n}\n" for n in range(10, 60)))
+        walls = str(self.folder / "out" / "siteplan_walls.gpkg")
+        self.inputs.update(
+            findtargets=("findtargets", {"INPUT": [str(hall)]}),
+            comparelengths=("comparelengths", {"SCHEDULE": str(tape), "REFERENCE": str(tape)}),
+            planlayout=("planlayout", {"WALLS": walls}),
         )
 
     def harder_searches(self) -> None:

@@ -60,7 +60,7 @@ def read_schedule(path: Path) -> LengthList:
         If the file cannot be read, lacks a column, or holds something that is not a number.
     """
     table = read_named_table(path, LENGTHS, ("id", "width", "height"), NUMBERS)
-    lengths = []
+    lengths: list[MeasuredLength] = []
     for line in table.rows:
         for dimension in DIMENSIONS:
             value = _number(table, line, dimension, dimension)
