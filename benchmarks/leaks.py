@@ -19,10 +19,6 @@ from .provider_runs import ProviderRuns
 
 MEGABYTE = 2**20
 
-NEEDED = ("densityimage", "extractwalls", "siteplan", "registerscans")
-FED = {"extractwalls", "compareplan", "planlayout", "transformcloud"}
-"""Algorithms whose outputs are inputs of others, and these."""
-
 
 def memory() -> float:
     """Return the resident memory of this process, MB; of Linux."""
@@ -62,10 +58,7 @@ def main() -> None:
     print("|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         runs = ProviderRuns(Path(folder), arguments.points)
-        needed = arguments.only and {*arguments.only, *(NEEDED if set(arguments.only) & FED else ())}
-        for name in runs.inputs:
-            if needed and name not in needed:
-                continue
+        for name in runs.needed_for(arguments.only):
             # The inputs of some are the outputs of others.
             runs.run(name)
             if not arguments.only or name in arguments.only:

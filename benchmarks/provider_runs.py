@@ -4,7 +4,7 @@ import os
 import site
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 from ichnograph.algorithms.registration.lists.point_list import PointList
@@ -16,6 +16,14 @@ from ichnograph.tests.scenes.facades.__main__ import write_laz as write_facade
 from ichnograph.tests.scenes.targets import target_scene
 
 CRS = "EPSG:25833"
+
+SOURCES = {
+    "extractwalls": ("densityimage",),
+    "compareplan": ("densityimage", "extractwalls", "siteplan"),
+    "planlayout": ("siteplan",),
+    "transformcloud": ("registerscans",),
+}
+"""Algorithms whose outputs are inputs of others."""
 
 
 @dataclass
@@ -40,6 +48,13 @@ class ProviderRuns:
         self._clouds()
         self._lists()
         self._others()
+
+    def needed_for(self, chosen: Optional[list[str]]) -> list[str]:
+        """Return the algorithms that are chosen, or all, and those whose outputs they take as inputs."""
+        needed = set(chosen or self.inputs)
+        for name in needed.copy():
+            needed.update(SOURCES.get(name, ()))
+        return [name for name in self.inputs if name in needed]
 
     def run(self, name: str, feedback: Any = None) -> dict[str, Any]:
         """Run an algorithm with all outputs; return its results."""
