@@ -15,6 +15,7 @@ class TextSettings:
     runs: int = judged(
         64, "Spread over the file to find the ranges of colour and intensity, because its start may be dark."
     )
+    rows_of_run: int = judged(100, "Of each run, to see which columns are colour; more take time.")
     numeric_share: float = judged(
         0.5, "A column holds numbers if most of its fields are, since single values may be missing."
     )

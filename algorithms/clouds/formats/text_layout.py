@@ -21,6 +21,7 @@ from ...tables.encoding import encoding_of
 from ...tables.header import read_preamble
 from ...tables.units import factor_of
 from ..settings import TextSettings
+from .line_samples import sample_lines
 from .text_columns import Columns, columns_by_count, columns_by_name
 
 
@@ -74,7 +75,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     columns, warnings = (
         (columns_by_name(header.columns), ())
         if header.columns
-        else columns_by_count(path, rows, values, settings)
+        else columns_by_count(path, rows, values, settings, _elsewhere(path, encoding, dialect, settings))
     )
     metres = header.factors(path)
     return Layout(
@@ -87,6 +88,17 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=warnings + _converted(path, header.units),
     )
+
+
+def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettings) -> np.ndarray:
+    """Return the numbers of rows from all over the file, shape (n, columns)."""
+    found = [np.empty((0, dialect.width))]
+    for lines in sample_lines(path, encoding, settings=settings):
+        few = lines[:: max(len(lines) // settings.rows_of_run, 1)]
+        rows = [dialect.split(line) for line in few if is_row(line, dialect.delimiter, dialect.width)]
+        if rows:
+            found.append(np.array([[dialect.number(field) for field in row] for row in rows]))
+    return np.concatenate(found)
 
 
 def _first_row(lines: list[str], regular: int, columns: Columns, dialect: Dialect) -> int:
