@@ -35,6 +35,9 @@ class PrecisionSettings:
     coarsest_step_m: float = physical(
         1e-3, "Scanners measure to a millimetre or two; coarser steps move the faces of walls."
     )
+    coarsest_scale_m: float = physical(
+        5e-3, "Half of it is the noise of scanners; the usual 1 mm of LAS files is finer."
+    )
     single_share: float = statistical(
         0.999, "Nearly all points of a file in single precision have its steps, of others a quarter."
     )

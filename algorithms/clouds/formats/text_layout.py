@@ -8,6 +8,7 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
+from ...tables.degrees import degree_warning
 from ...tables.dialect import (
     Dialect,
     decimal_signs,
@@ -86,7 +87,11 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         preamble=_first_row(lines, numbers[0], columns, dialect),
         announced=header.announced,
         middle=_middle(path, values[:, columns.xyz]) * metres,
-        warnings=warnings + _converted(path, header.units),
+        warnings=(
+            *warnings,
+            *_converted(path, header.units),
+            *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
+        ),
     )
 
 
