@@ -58,7 +58,7 @@ def main() -> None:
     print("|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         runs = ProviderRuns(Path(folder), arguments.points)
-        for name in runs.inputs:
+        for name in runs.needed_for(arguments.only):
             # The inputs of some are the outputs of others.
             runs.run(name)
             if not arguments.only or name in arguments.only:

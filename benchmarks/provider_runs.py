@@ -4,10 +4,11 @@ import os
 import site
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 from ichnograph.algorithms.registration.lists.point_list import PointList
+from ichnograph.tests.algorithms.targets.made_targets import one_target
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.facades import FACADES
@@ -15,6 +16,14 @@ from ichnograph.tests.scenes.facades.__main__ import write_laz as write_facade
 from ichnograph.tests.scenes.targets import target_scene
 
 CRS = "EPSG:25833"
+
+SOURCES = {
+    "extractwalls": ("densityimage",),
+    "compareplan": ("densityimage", "extractwalls", "siteplan"),
+    "planlayout": ("siteplan",),
+    "transformcloud": ("registerscans",),
+}
+"""Algorithms whose outputs are inputs of others."""
 
 
 @dataclass
@@ -38,6 +47,14 @@ class ProviderRuns:
         (self.folder / "out").mkdir()
         self._clouds()
         self._lists()
+        self._others()
+
+    def needed_for(self, chosen: Optional[list[str]]) -> list[str]:
+        """Return the algorithms that are chosen, or all, and those whose outputs they take as inputs."""
+        needed = set(chosen or self.inputs)
+        for name in needed.copy():
+            needed.update(SOURCES.get(name, ()))
+        return [name for name in self.inputs if name in needed]
 
     def run(self, name: str, feedback: Any = None) -> dict[str, Any]:
         """Run an algorithm with all outputs; return its results."""
@@ -109,6 +126,20 @@ class ProviderRuns:
         self.inputs["simulateregistration"] = (
             "simulateregistration",
             {"CONTROL": control, "TRIALS": max(self.points // 5000, 2)},
+        )
+
+    def _others(self) -> None:
+        """Add the algorithms whose inputs are neither clouds of buildings nor lists of targets."""
+        scan = one_target("black and white", 0.15, 4.0)
+        hall, tape = self.folder / "hall.xyz", self.folder / "tape.csv"
+        columns = np.column_stack([scan.xyz, scan.intensity])
+        np.savetxt(hall, columns, "%.5f %.5f %.5f %d", header="x y z intensity", comments="")
+        tape.write_text("id,width,height\n" + "".join(f"{n},1.{n},2.{n}\n" for n in range(10, 60)))
+        walls = str(self.folder / "out" / "siteplan_walls.gpkg")
+        self.inputs.update(
+            findtargets=("findtargets", {"INPUT": [str(hall)]}),
+            comparelengths=("comparelengths", {"SCHEDULE": str(tape), "REFERENCE": str(tape)}),
+            planlayout=("planlayout", {"WALLS": walls}),
         )
 
     def harder_searches(self) -> None:

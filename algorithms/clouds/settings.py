@@ -15,6 +15,7 @@ class TextSettings:
     runs: int = judged(
         64, "Spread over the file to find the ranges of colour and intensity, because its start may be dark."
     )
+    rows_of_run: int = judged(100, "Of each run, to see which columns are colour; more take time.")
     numeric_share: float = judged(
         0.5, "A column holds numbers if most of its fields are, since single values may be missing."
     )
@@ -33,6 +34,9 @@ class PrecisionSettings:
 
     coarsest_step_m: float = physical(
         1e-3, "Scanners measure to a millimetre or two; coarser steps move the faces of walls."
+    )
+    coarsest_scale_m: float = physical(
+        5e-3, "Half of it is the noise of scanners; the usual 1 mm of LAS files is finer."
     )
     single_share: float = statistical(
         0.999, "Nearly all points of a file in single precision have its steps, of others a quarter."

@@ -80,7 +80,7 @@ def _check_extent(cloud: Cloud, xyz: list[np.ndarray], limits: ExtentSettings) -
     extent = float(np.max(high - low))
     if extent > limits.largest_m:
         raise InputError(
-            f"The points of {names_of(cloud.sources)} reach over {extent:.0f} m, more than the "
+            f"The points of {names_of(cloud.sources)} reach over {extent:.7g} m, more than the "
             f"{limits.largest_m:.0f} m of any facade; cut the cloud to the facade, or check that its "
             "coordinates are metres."
         )

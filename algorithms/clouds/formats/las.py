@@ -13,7 +13,7 @@ from rasterio.crs import CRS
 from ...errors import InputError
 from ...progress import Progress
 from ...reference_systems import parse_wkt
-from ..settings import ReadingSettings
+from ..settings import PrecisionSettings, ReadingSettings
 from ..source import Chunk, Source, no_points
 from .coordinate_steps import step_warning
 from .geotiff_keys import parse_geotiff_keys
@@ -79,7 +79,7 @@ class LasSource(Source):
                 *warnings,
                 *count_warning(path),
                 *_left_out(path, 1 - share),
-                *step_warning(path, xyz),
+                *(_coarse_scale(path, header.scales) or step_warning(path, xyz)),
             ),
             middle=np.median(xyz, axis=0),
             has_intensity=bool(sample["intensity"].any()),
@@ -170,6 +170,19 @@ def _left_out(path: Path, share: float) -> tuple[str, ...]:
     return (
         f"{share:.1%} of the points of {path} are flagged as withheld or classified as noise, and are left "
         "out; change their class where they are wanted.",
+    )
+
+
+def _coarse_scale(
+    path: Path, scales: np.ndarray, settings: PrecisionSettings = PrecisionSettings()
+) -> tuple[str, ...]:
+    """Return a sentence if the scale of the header rounds coordinates by more than scanners measure."""
+    step = float(np.abs(scales).max())
+    if step < settings.coarsest_scale_m:
+        return ()
+    return (
+        f"The coordinates of {path} lie in steps of {step:.2g} m, the scale in its header; export it with a "
+        "scale of 0.001 m or finer.",
     )
 
 

@@ -58,10 +58,22 @@ def columns_by_count(
     rows: list[list[str]],
     values: np.ndarray,
     settings: TextSettings = TextSettings(),
+    elsewhere: Optional[np.ndarray] = None,
 ) -> tuple[Columns, tuple[str, ...]]:
     """Decide what columns without names hold, by their values: x y z first, then intensity, colour, normals.
 
     Intensity may stand before or after the colour. What stays doubtful is left out, and said.
+
+    Parameters
+    ----------
+    path : Path
+    rows : list of list of str
+        The fields of the first rows.
+    values : ndarray, shape (n, columns)
+        Their numbers.
+    settings : TextSettings
+    elsewhere : ndarray, shape (m, columns), optional
+        Numbers from all over the file, because its beginning may be dark.
 
     Raises
     ------
@@ -81,6 +93,7 @@ def columns_by_count(
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as x y z.")
     xyz, extra = tuple(numeric[:3]), numeric[3:]
+    values = values if elsewhere is None else np.concatenate([values, elsewhere])
     normals = _normals(values, extra, settings.unit_length)
     extra = [column for column in extra if column not in (normals or ())]
     rgb = _colour(values, extra, path.suffix.lower() == ".pts", settings)

@@ -8,6 +8,7 @@ from typing import Optional
 import numpy as np
 
 from ...errors import InputError
+from ...tables.degrees import degree_warning
 from ...tables.dialect import (
     Dialect,
     decimal_signs,
@@ -21,6 +22,7 @@ from ...tables.encoding import encoding_of
 from ...tables.header import read_preamble
 from ...tables.units import factor_of
 from ..settings import TextSettings
+from .line_samples import sample_lines
 from .text_columns import Columns, columns_by_count, columns_by_name
 
 
@@ -74,7 +76,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     columns, warnings = (
         (columns_by_name(header.columns), ())
         if header.columns
-        else columns_by_count(path, rows, values, settings)
+        else columns_by_count(path, rows, values, settings, _elsewhere(path, encoding, dialect, settings))
     )
     metres = header.factors(path)
     return Layout(
@@ -85,8 +87,23 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         preamble=_first_row(lines, numbers[0], columns, dialect),
         announced=header.announced,
         middle=_middle(path, values[:, columns.xyz]) * metres,
-        warnings=warnings + _converted(path, header.units),
+        warnings=(
+            *warnings,
+            *_converted(path, header.units),
+            *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
+        ),
     )
+
+
+def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettings) -> np.ndarray:
+    """Return the numbers of rows from all over the file, shape (n, columns)."""
+    found = [np.empty((0, dialect.width))]
+    for lines in sample_lines(path, encoding, settings=settings):
+        few = lines[:: max(len(lines) // settings.rows_of_run, 1)]
+        rows = [dialect.split(line) for line in few if is_row(line, dialect.delimiter, dialect.width)]
+        if rows:
+            found.append(np.array([[dialect.number(field) for field in row] for row in rows]))
+    return np.concatenate(found)
 
 
 def _first_row(lines: list[str], regular: int, columns: Columns, dialect: Dialect) -> int:

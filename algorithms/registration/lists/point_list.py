@@ -10,6 +10,7 @@ import numpy as np
 from rasterio.crs import CRS
 
 from ...clouds.formats import format_of
+from ...clouds.formats.coordinate_steps import step_warning
 from ...clouds.source import unreadable
 from ...errors import InputError
 from .point_layer import SUFFIXES, Feature, list_name, read_features, read_layer
@@ -141,7 +142,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         xyz=rows.xyz[kept],
         named=rows.names is not None,
         crs=rows.crs,
-        warnings=rows.warnings + merged,
+        warnings=(*rows.warnings, *merged, *step_warning(Path(rows.source), rows.xyz)),
         path=path,
         origins=tuple(rows.origins[row] for row in kept) if rows.origins else (),
         stds=None if rows.stds is None else rows.stds[kept],

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...tables.column_names import POINTS
+from ...tables.degrees import degree_warning
 from ...tables.dialect import (
     Dialect,
     decimal_signs,
@@ -103,6 +104,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
             *(f"{path} gives coordinates in {unit}; they were converted to metres." for unit in units),
             *_warnings(path, rows.values(), columns),
             *_marked(path, lines, delimiter, width),
+            *degree_warning(path, coordinates, dialect),
         ),
     )
 

@@ -254,3 +254,11 @@ def test_points_that_are_left_out_do_not_decide_the_range_of_the_colours(tmp_pat
         np.zeros(3), Progress(), 1000
     )
     np.testing.assert_array_equal(chunk.rgb[:, 0], points["red"][5:] * 257)
+
+
+@pytest.mark.parametrize(("scale", "said"), [(0.001, False), (0.01, True), (0.5, True)])
+def test_a_coarse_scale_is_said_with_its_step(tmp_path, scale, said):
+    header, points = records(300)
+    header.scales = np.full(3, scale)
+    warnings = LasSource.open(write(tmp_path / "scan.las", header, points)).warnings
+    assert any(f"in steps of {scale} m" in sentence for sentence in warnings) == said

@@ -295,3 +295,9 @@ def test_any_millimetres_come_back_exactly_however_they_are_chunked(
 )
 def test_files_of_other_programs(name, count):
     assert len(read(DATA / name)[0]) == count
+
+
+def test_colour_that_begins_in_the_dark_is_colour(tmp_path):
+    rows = "".join(f"{n % 97}.25 {n % 89}.5 {n % 7}.75 0 0 0\n" for n in range(5000))
+    colour = "".join(f"{n % 97}.25 {n % 89}.5 {n % 7}.75 200 10 30\n" for n in range(500))
+    assert read(write(tmp_path, rows + colour))[2][-1].tolist() == [200 * 257, 10 * 257, 30 * 257]

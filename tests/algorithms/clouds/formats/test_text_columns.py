@@ -128,3 +128,11 @@ def test_four_columns_that_could_be_either_are_left_out_and_the_remedy_is_said()
     columns, warnings = by_count("1.5 2.5 3.5 10 20 30 40", "2.5 3.5 4.5 50 60 70 80")
     assert columns == Columns((0, 1, 2))
     assert "name the columns in a first line" in warnings[0]
+
+
+def test_colour_is_recognised_by_its_values_elsewhere_if_the_beginning_is_black():
+    rows = [f"{n}.25 {n % 5}.5 {n % 3}.75 0 0 0".split() for n in range(20)]
+    values = np.array(rows, float)
+    assert columns_by_count(SCAN, rows, values)[0].rgb is None
+    elsewhere = np.array([[1.5, 2.5, 3.5, 200, 10, 30]])
+    assert columns_by_count(SCAN, rows, values, elsewhere=elsewhere)[0].rgb == (3, 4, 5)

@@ -102,3 +102,11 @@ def test_a_list_without_all_three_standard_deviations_has_no_covariances(tmp_pat
 
     assert points.covariances is None
     assert "further columns were left out" in points.warnings[0]
+
+
+def test_coordinates_that_went_through_single_precision_are_said(tmp_path):
+    exact = np.random.default_rng(0).uniform(0, 50, (12, 3)).round(3) + (412_300, 5_812_300, 70)
+    for xyz, said in ((exact, False), (exact.astype(np.float32).astype(float), True)):
+        np.savetxt(tmp_path / "a.txt", xyz, "%.4f")
+        warnings = read_point_list(tmp_path / "a.txt").warnings
+        assert any("have single precision" in sentence for sentence in warnings) == said
