@@ -1,7 +1,7 @@
 """The lines before the first row: names of columns with their units, and how many points follow."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
@@ -84,11 +84,12 @@ def read_preamble(
     ------
     InputError
         If a line with names does not name the columns, or names one twice; if a line of numbers has another
-        number of columns or is no row; or if a unit is stated for some of the coordinates only.
+        number of columns or is no row; if a unit is stated for some of the coordinates only; or if remarks
+        state several.
     """
     columns: dict[str, int] = {}
     units: dict[str, str] = {}
-    stated: Optional[str] = None
+    stated = stated_unit(path, lines)
     announced = None
     for number, line in enumerate(lines, start=1):
         fields = header_fields(line, delimiter)
@@ -97,7 +98,6 @@ def read_preamble(
         if len(fields) == width + 1 and not fields[-1]:
             fields.pop()
         remark = unit_of_remark(line)
-        stated = remark or stated
         if is_count(line):
             announced = (announced or 0) + int(line)
         elif len(fields) == width:
@@ -122,11 +122,27 @@ def read_preamble(
             )
         if (named and len(fields) != width) or (len(fields) == width and not columns):
             raise _unclear_header(path, number, fields, width)
-    if stated and len(units) < len(COORDINATES):
-        units = dict.fromkeys(COORDINATES, stated)
+    if stated:
+        units = {**dict.fromkeys(COORDINATES, stated), **units}
     if len(units) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in units.values()):
         raise partly_stated(path)
     return Header(columns, units, announced)
+
+
+def stated_unit(path: Path, lines: Iterable[str]) -> Optional[str]:
+    """Return the unit that remarks state for all lengths, None without one.
+
+    Raises
+    ------
+    InputError
+        If they state several, because each would give other lengths.
+    """
+    stated = {factor_of(unit): unit for unit in map(unit_of_remark, lines) if unit}
+    if len(stated) > 1:
+        raise InputError(
+            f"The remarks in {path} state several units, {' and '.join(stated.values())}; correct them."
+        )
+    return next(iter(stated.values()), None)
 
 
 def partly_stated(path: Path) -> InputError:
