@@ -12,6 +12,8 @@ from .dialect import is_comment, is_count, is_number, split
 from .units import as_unit, factor_of, is_unit, unit_of, unit_of_remark
 
 COORDINATES = ("x", "y", "z")
+LENGTHS = (*COORDINATES, "sx", "sy", "sz")
+"""The roles that have units: coordinates and their standard deviations."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class Header:
     columns : dict of str to int
         The column of each known role; empty without names.
     units : dict of str to str
-        The units of the coordinates that are stated, by role.
+        The stated units of `LENGTHS`, by role.
     announced : int or None
         Number of points; None without such a line.
     """
@@ -105,7 +107,7 @@ def read_preamble(
             refuse_double_names(path, fields, found, COORDINATES)
             columns, units = (found, _units_of(fields, found)) if found else (columns, units)
             if columns and not found and _is_line_of_units(fields):
-                units = {role: as_unit(fields[columns[role]]) or "m" for role in COORDINATES}
+                units = {role: as_unit(fields[columns[role]]) or "m" for role in LENGTHS if role in columns}
                 continue
         if remark or is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
             continue
@@ -124,7 +126,8 @@ def read_preamble(
             raise _unclear_header(path, number, fields, width)
     if stated:
         units = {**dict.fromkeys(COORDINATES, stated), **units}
-    if len(units) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in units.values()):
+    of_coordinates = [units[role] for role in COORDINATES if role in units]
+    if len(of_coordinates) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in of_coordinates):
         raise partly_stated(path)
     return Header(columns, units, announced)
 
@@ -185,7 +188,7 @@ def _named(fields: list[str], roles: Roles) -> dict[str, int]:
 
 
 def _units_of(fields: list[str], columns: dict[str, int]) -> dict[str, str]:
-    units = {role: unit_of(fields[columns[role]]) for role in COORDINATES}
+    units = {role: unit_of(fields[columns[role]]) for role in LENGTHS if role in columns}
     return {role: unit for role, unit in units.items() if unit}
 
 
