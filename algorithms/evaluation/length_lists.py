@@ -20,6 +20,7 @@ class MeasuredLength(NamedTuple):
     Attributes
     ----------
     id : str
+        Of the detail, as '7 of facade 2' where the list has several facades.
     dimension : str
         One of `DIMENSIONS`.
     length : float
@@ -54,21 +55,30 @@ class LengthList:
 def read_schedule(path: Path) -> LengthList:
     """Read a table with id, width, height and sill, and width_std and height_std if there are any, in metres.
 
+    The schedule of several facades has a column facade too.
+
     Raises
     ------
     InputError
-        If the file cannot be read, lacks a column, or holds something that is not a number.
+        If the file cannot be read, lacks a column, lists a length twice, or holds something that is not a
+        number.
     """
     table = read_named_table(path, LENGTHS, ("id", "width", "height"), NUMBERS)
-    lengths: list[MeasuredLength] = []
+    lengths: dict[tuple[str, str], MeasuredLength] = {}
     for line in table.rows:
+        name = _id(table, line)
         for dimension in DIMENSIONS:
             value = _number(table, line, dimension, dimension)
-            if math.isfinite(value):
-                _refuse_repeated(table, line, dimension, lengths)
-                std = _number(table, line, DEVIATIONS.get(dimension, ""), dimension)
-                lengths.append(MeasuredLength(table.text(line, "id"), dimension, value, std))
-    return LengthList(str(path), tuple(lengths), _converted(table))
+            if not math.isfinite(value):
+                continue
+            # Only one of them could be compared.
+            if (name, dimension) in lengths:
+                raise InputError(
+                    f"Line {line} of {path}: the {dimension} of {name} is listed twice; remove one entry."
+                )
+            std = _deviation(table, line, DEVIATIONS.get(dimension, ""))
+            lengths[name, dimension] = MeasuredLength(name, dimension, value, std)
+    return LengthList(str(path), tuple(lengths.values()), _converted(table))
 
 
 def read_reference(path: Path) -> LengthList:
@@ -78,7 +88,8 @@ def read_reference(path: Path) -> LengthList:
     ----------
     path : Path
         Table with id and some of width, height and sill, empty where not measured; or with id, dimension and
-        length. The names may be English, German, French, Italian or Spanish.
+        length; and facade where the schedule has it. The names may be English, German, French, Italian or
+        Spanish.
 
     Raises
     ------
@@ -91,7 +102,7 @@ def read_reference(path: Path) -> LengthList:
         for dimension, role in _dimensions(table, line):
             value = _number(table, line, role, dimension)
             if math.isfinite(value):
-                lengths.append(MeasuredLength(table.text(line, "id"), dimension, value))
+                lengths.append(MeasuredLength(_id(table, line), dimension, value))
     return LengthList(str(path), tuple(lengths), _converted(table))
 
 
@@ -121,22 +132,35 @@ def _dimensions(table: NamedTable, line: int) -> list[tuple[str, str]]:
     return pairs
 
 
-def _refuse_repeated(table: NamedTable, line: int, dimension: str, before: list[MeasuredLength]) -> None:
-    """Refuse a schedule that lists a length twice, because only one of them could be compared."""
-    name = table.text(line, "id")
-    if any(item.id == name and item.dimension == dimension for item in before):
-        raise InputError(
-            f"Line {line} of {table.path}: the {dimension} of {name} is listed twice; remove one entry."
-        )
+def _id(table: NamedTable, line: int) -> str:
+    """Return the id of the detail in a row; each facade of a common schedule counts its own."""
+    name, facade = table.text(line, "id"), table.text(line, "facade")
+    return f"{name} of facade {facade}" if facade else name
 
 
 def _number(table: NamedTable, line: int, role: str, name: str) -> float:
     """Return a length in metres; nan if its field is empty or there is no such column."""
-    text = table.text(line, role)
-    if not text:
-        return math.nan
-    value = table.dialect.number(text) * table.metres(role)
+    value = _metres(table, line, role)
     # Only a sill may lie at the ground or below it.
-    if not math.isfinite(value) or (value <= 0 and name != "sill"):
-        raise InputError(f"Line {line} of {table.path}: the {name} {text} is not a length in metres.")
+    if math.isinf(value) or (value <= 0 and name != "sill"):
+        raise InputError(
+            f"Line {line} of {table.path}: the {name} {table.text(line, role)} is not a length in metres."
+        )
     return value
+
+
+def _deviation(table: NamedTable, line: int, role: str) -> float:
+    """Return a standard deviation in metres; nan if it is not known."""
+    value = _metres(table, line, role)
+    if math.isinf(value) or value < 0:
+        raise InputError(
+            f"Line {line} of {table.path}: the {role} {table.text(line, role)} is not a standard deviation."
+        )
+    return value
+
+
+def _metres(table: NamedTable, line: int, role: str) -> float:
+    """Return a number in metres; nan if its field is empty, infinite if it is no number."""
+    text = table.text(line, role)
+    value = table.dialect.number(text) * table.metres(role)
+    return math.inf if text and not math.isfinite(value) else value

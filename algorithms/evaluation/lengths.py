@@ -97,7 +97,8 @@ def compare_lengths(
             unknown.append(f"{item.dimension} of {item.id}")
     if not lengths:
         raise NothingFoundError(
-            f"{schedule.source} has no length of {reference.source}; use the ids of the schedule in both."
+            f"{schedule.source} has no length of {reference.source}; use the ids of the schedule "
+            "in both, and its column facade if it has one."
         )
     warnings = (f"{schedule.source} has no {', no '.join(unknown)}.",) if unknown else ()
     doubt = _doubtful_unit(schedule.source, reference.source, lengths, settings)

@@ -1,11 +1,12 @@
 """Every facade of a building or a street, measured one after the other."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..errors import NothingFoundError
 from ..progress import Progress
 from .elevation import Elevation
 from .measurement import measure_facade
+from .planes.side import AUTOMATIC
 from .selection import Selection
 from .settings import FacadeSettings
 
@@ -50,6 +51,8 @@ def measure_every(
 ) -> EveryFacade:
     """Measure all wanted facades of a cloud.
 
+    SIDE applies to the chosen one only, because the others face other ways: their side is found.
+
     Parameters
     ----------
     first : DrawnFacade
@@ -57,6 +60,7 @@ def measure_every(
     settings : FacadeSettings
     progress : Progress
     """
+    settings = replace(settings, side=AUTOMATIC)
     wanted = first.selection.wanted or (None,)
     drawn, warnings = [], []
     for number, facade in enumerate(wanted):

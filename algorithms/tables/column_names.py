@@ -77,6 +77,7 @@ LENGTHS: Roles = {
         *("id", "detail", "detailid", "nr", "no", "n°", "number", "nummer", "numero", "num", "nom", "name"),
         *("bezeichnung", "identifiant", "identificador", "identificativo", "nombre", "nome"),
     ),
+    "facade": ("facade", "fassade", "facciata", "fachada"),
     "width": ("width", "breite", "largeur", "larghezza", "ancho", "anchura"),
     "height": ("height", "hohe", "hoehe", "hauteur", "altezza", "alto", "altura"),
     "sill": (

@@ -112,11 +112,14 @@ def is_comment(line: str) -> bool:
 
 
 def is_remark(line: str, delimiter: str, width: int) -> bool:
-    """Whether a line is a remark, and not a row whose first field, a name, is empty or begins as they do."""
+    """Whether a line is a remark, and not a row whose first field, a name, is empty or begins as they do.
+
+    A sign that is a field of its own, as in '# 500000 5700000 0', always begins a remark.
+    """
     if not is_comment(line):
         return False
     fields = split(line, delimiter)
-    return len(fields) != width or sum(map(is_number, fields)) < 3
+    return len(fields) != width or sum(map(is_number, fields)) < 3 or fields[0] in COMMENTS
 
 
 def is_count(line: str) -> bool:

@@ -1,7 +1,7 @@
 """The lines before the first row: names of columns with their units, and how many points follow."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
@@ -12,6 +12,8 @@ from .dialect import is_comment, is_count, is_number, split
 from .units import as_unit, factor_of, is_unit, unit_of, unit_of_remark
 
 COORDINATES = ("x", "y", "z")
+LENGTHS = (*COORDINATES, "sx", "sy", "sz")
+"""The roles that have units: coordinates and their standard deviations."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class Header:
     columns : dict of str to int
         The column of each known role; empty without names.
     units : dict of str to str
-        The units of the coordinates that are stated, by role.
+        The stated units of `LENGTHS`, by role.
     announced : int or None
         Number of points; None without such a line.
     """
@@ -84,11 +86,12 @@ def read_preamble(
     ------
     InputError
         If a line with names does not name the columns, or names one twice; if a line of numbers has another
-        number of columns or is no row; or if a unit is stated for some of the coordinates only.
+        number of columns or is no row; if a unit is stated for some of the coordinates only; or if remarks
+        state several.
     """
     columns: dict[str, int] = {}
     units: dict[str, str] = {}
-    stated: Optional[str] = None
+    stated = stated_unit(path, lines)
     announced = None
     for number, line in enumerate(lines, start=1):
         fields = header_fields(line, delimiter)
@@ -97,7 +100,6 @@ def read_preamble(
         if len(fields) == width + 1 and not fields[-1]:
             fields.pop()
         remark = unit_of_remark(line)
-        stated = remark or stated
         if is_count(line):
             announced = (announced or 0) + int(line)
         elif len(fields) == width:
@@ -105,7 +107,7 @@ def read_preamble(
             refuse_double_names(path, fields, found, COORDINATES)
             columns, units = (found, _units_of(fields, found)) if found else (columns, units)
             if columns and not found and _is_line_of_units(fields):
-                units = {role: as_unit(fields[columns[role]]) or "m" for role in COORDINATES}
+                units = {role: as_unit(fields[columns[role]]) or "m" for role in LENGTHS if role in columns}
                 continue
         if remark or is_count(line) or (is_comment(line) and not _speaks_of_degrees(fields)):
             continue
@@ -122,11 +124,28 @@ def read_preamble(
             )
         if (named and len(fields) != width) or (len(fields) == width and not columns):
             raise _unclear_header(path, number, fields, width)
-    if stated and len(units) < len(COORDINATES):
-        units = dict.fromkeys(COORDINATES, stated)
-    if len(units) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in units.values()):
+    if stated:
+        units = {**dict.fromkeys(COORDINATES, stated), **units}
+    of_coordinates = [units[role] for role in COORDINATES if role in units]
+    if len(of_coordinates) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in of_coordinates):
         raise partly_stated(path)
     return Header(columns, units, announced)
+
+
+def stated_unit(path: Path, lines: Iterable[str]) -> Optional[str]:
+    """Return the unit that remarks state for all lengths, None without one.
+
+    Raises
+    ------
+    InputError
+        If they state several, because each would give other lengths.
+    """
+    stated = {factor_of(unit): unit for unit in map(unit_of_remark, lines) if unit}
+    if len(stated) > 1:
+        raise InputError(
+            f"The remarks in {path} state several units, {' and '.join(stated.values())}; correct them."
+        )
+    return next(iter(stated.values()), None)
 
 
 def partly_stated(path: Path) -> InputError:
@@ -169,7 +188,7 @@ def _named(fields: list[str], roles: Roles) -> dict[str, int]:
 
 
 def _units_of(fields: list[str], columns: dict[str, int]) -> dict[str, str]:
-    units = {role: unit_of(fields[columns[role]]) for role in COORDINATES}
+    units = {role: unit_of(fields[columns[role]]) for role in LENGTHS if role in columns}
     return {role: unit for role, unit in units.items() if unit}
 
 

@@ -10,8 +10,8 @@ from ..errors import InputError
 from .column_names import Roles, recognised
 from .dialect import Dialect, decimal_signs, ends_cut_off, is_comment, is_number, split, stated_delimiter
 from .encoding import read_lines
-from .header import header_fields, metres_of, partly_stated, refuse_double_names
-from .units import as_unit, factor_of, is_unit, unit_of, unit_of_remark
+from .header import header_fields, metres_of, partly_stated, refuse_double_names, stated_unit
+from .units import as_unit, factor_of, is_unit, unit_of
 
 DELIMITERS = (";", "\t", "|", ",", " ")
 
@@ -77,7 +77,7 @@ def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: S
     ------
     InputError
         If the file cannot be read, a needed column is missing, or a row has another number of fields than the
-        header.
+        header, or remarks state several units.
     """
     try:
         lines = read_lines(path, MOST_LINES, "a table of lengths")
@@ -103,7 +103,7 @@ def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: S
         rows.pop(next(iter(rows)))
         units.update((role, unit) for role, column in columns.items() if (unit := as_unit(first[column])))
     measured = [role for role in numbers if role in columns]
-    stated = next(filter(None, map(unit_of_remark, lines[:heading])), None)
+    stated = stated_unit(path, lines[:heading])
     units = {**dict.fromkeys(measured, stated), **units} if stated else units
     if len({factor_of(units.get(role)) for role in measured}) > 1 and not set(measured) <= units.keys():
         raise partly_stated(path)

@@ -15,13 +15,16 @@ METRES = {
 }
 """How long the units are that are converted."""
 
+GEODETIC = frozenset(("gon", "grad", "rad"))
+"""Units of angles in which no coordinates are given, as they are in degrees."""
+
 REFUSED = frozenset(
     (
         *("ft", "feet", "foot", "usft", "ftus", "sft", "in", "inch", "inches", "yd", "yard", "yards"),
         *("mi", "mile", "miles", "chain", "chains", "rod", "rods", "fathom", "fathoms"),
         *("fuss", "zoll", "pied", "pieds", "pouce", "pouces", "toise", "toises"),
         *("piede", "piedi", "pollice", "pollici", "pie", "pies", "pulgada", "pulgadas", "vara", "varas"),
-        *("deg", "degree", "degrees", "grad", "gon", "rad"),
+        *("deg", "degree", "degrees", *GEODETIC),
     )
 )
 """Units that are refused: there are several of their names, or they are angles."""
@@ -41,9 +44,12 @@ _WHAT = (
     r"(?:coordinates?|coords?|koordinaten|coordonn[ée]es|coordenadas|x\W*y\W*z|points?|punkte|values?|werte"
     r"|lengths?|dimensions?|l[äa]ngen|ma(?:ß|ss)e|mesures|misure|medidas|data|daten)"
 )
+_OF_ALL = rf"(?:{_WHAT}|linear|distances?|measurements?|files?|exports?|models?|clouds?|scans?|global)"
 _REMARKS = (
     re.compile(
-        _UNIT + r"\s*(?:[:=,;|\t]|(?:in|are|is|sind|ist|sont|est|son|es)\b)"
+        # Not of angles, of voxels or of an instrument: their unit follows other words.
+        rf"(?:^|[.,;:|(])\W*(?:(?:the|all)\s+)?(?:{_OF_ALL}\s+)?{_UNIT}"
+        r"\s*(?:[:=,;|\t]|(?:in|are|is|sind|ist|sont|est|son|es)\b)"
         r"\s*(?:in\s+)?(?:(?:us|survey|international|intl)[\s-]+)*([^\s,;]+)"
     ),
     re.compile(rf"\W*(?:the\s+)?{_UNIT}\s+(\S+?)\W*"),
@@ -52,7 +58,8 @@ _REMARKS = (
         r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*\s*(?:\b(?:in|en)\s|[:=(\[])\s*(\w+)\W*"
     ),
 )
-"""How a remark states the unit: after a word for it, or as all that it says of the coordinates."""
+"""How a remark states the unit: after a word for it that begins a phrase, or as all that it says of the
+coordinates."""
 
 
 def unit_of(name: str) -> Optional[str]:
@@ -74,7 +81,7 @@ def unit_of_remark(line: str) -> Optional[str]:
     for match in (_REMARKS[0].search(text), *(pattern.fullmatch(text) for pattern in _REMARKS[1:])):
         unit = _plain(match.group(1)) if match else ""
         # 'Unit in ...' is seldom about inches.
-        if unit != "in" and _is_known(unit):
+        if unit != "in" and unit not in GEODETIC and _is_known(unit):
             return unit
     return None
 

@@ -125,7 +125,7 @@ class FacadeDetailsAlgorithm(Algorithm):
             settings,
             values["FACADE"],
             values["FACADE_NEAR"],
-            values["FACADE_ALONG"],
+            values["FACADE_ALONG"].shapes,
             log.progress.part(0.2, 0.35),
         )
         first = log.progress.part(0.35, 0.5 if values["ALL"] else 0.95)

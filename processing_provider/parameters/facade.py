@@ -48,7 +48,8 @@ SIDE = Choice(
     "Side of the facade",
     "The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic "
     "uses the position of the scanner where the files state it, otherwise what is seen through the openings. "
-    "The log says which side was taken, why, and how certain that is.",
+    "The log says which side was taken, why, and how certain that is. In a folder of every facade, it "
+    "applies to the chosen one; the side of the others is found.",
     options=("Automatic", "Facing east (azimuth 0 to 180)", "Facing west (azimuth 180 to 360)"),
     optional=True,
 )

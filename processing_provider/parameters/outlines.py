@@ -59,13 +59,13 @@ class OutlineLayer(Parameter):
             text = algorithm.parameterAsString(parameters, self.name, context).strip()
             given = f"{self.name} {text} cannot be read" if text else f"{self.name} is empty"
             raise InputError(f"{given}; choose a layer of polygons.")
-        refuse_damaged(Path(_file(layer) or ""))
+        refuse_damaged(Path(file_of(layer) or ""))
         return layer
 
     def _read(self, layer: QgsVectorLayer, source: str) -> Any:
         from ...algorithms.evaluation.outlines import outlines_of
 
-        return outlines_of(source, _geometries(layer), layer.crs().toWkt(), _file(layer))
+        return outlines_of(source, _geometries(layer), layer.crs().toWkt(), file_of(layer))
 
     def sources(self, value: Any) -> list[str]:
         return [value.path] if value and value.path else []
@@ -83,8 +83,8 @@ class ReferenceLayer(OutlineLayer):
 
         if layer.fields().indexOf("kind") >= 0:
             whole = _whole(layer)
-            features = [(_straight(item), item.attributeMap()) for item in whole.getFeatures()]
-            drawn = drawn_reference(source, features, _wkt(whole), _file(layer))
+            features = [(straight(item), item.attributeMap()) for item in whole.getFeatures()]
+            drawn = drawn_reference(source, features, _wkt(whole), file_of(layer))
             if drawn:
                 return drawn
         return Reference(super()._read(layer, source), None)
@@ -108,7 +108,7 @@ def _wkt(layer: QgsVectorLayer) -> str:
     return "" if is_json and layer.crs().isGeographic() else layer.crs().toWkt()
 
 
-def _file(layer: QgsVectorLayer) -> Optional[str]:
+def file_of(layer: QgsVectorLayer) -> Optional[str]:
     """Return the file of a layer; None for layers without a file."""
     return QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source()).get("path") or None
 
@@ -116,10 +116,11 @@ def _file(layer: QgsVectorLayer) -> Optional[str]:
 def _geometries(layer: QgsVectorLayer) -> Iterator[Optional[bytes]]:
     """Yield the geometries of the features that pass the filter of the layer, with its edits, as WKB."""
     for feature in layer.getFeatures():
-        yield _straight(feature)
+        yield straight(feature)
 
 
-def _straight(feature: QgsFeature) -> Optional[bytes]:
+def straight(feature: QgsFeature) -> Optional[bytes]:
+    """Return the geometry of a feature as WKB, with lines for arcs; None without one."""
     geometry = feature.geometry()
     if geometry.isNull():
         return None

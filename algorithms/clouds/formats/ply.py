@@ -11,8 +11,7 @@ import numpy as np
 from ...errors import InputError
 from ...progress import Progress
 from ...tables.column_names import CLOUD, recognised
-from ...tables.header import metres_of
-from ...tables.units import unit_of_remark
+from ...tables.header import metres_of, stated_unit
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .coordinate_steps import step_warning
@@ -293,7 +292,8 @@ def _read_layout(path: Path) -> Layout:
     for name, count, properties in _elements(path, lines):
         if name == "vertex":
             dtype = _vertex(path, properties, BYTE_ORDERS[encoding])
-            unit = _stated_unit(lines)
+            remarks = (" ".join(words[1:]) for words in lines if words[0] in REMARKS)
+            unit = stated_unit(path, remarks)
             metres = metres_of(path, unit)
             layout = Layout(encoding, start, lines_before, len(lines), count, dtype, unit, metres)
             _check_length(path, layout)
@@ -302,12 +302,6 @@ def _read_layout(path: Path) -> Layout:
         if encoding != "ascii":
             start += count * _record(path, properties, BYTE_ORDERS[encoding]).itemsize
     raise no_points(path)
-
-
-def _stated_unit(lines: list[list[str]]) -> Optional[str]:
-    """Return the unit that a comment states; None without one."""
-    remarks = (" ".join(words[1:]) for words in lines if words[0] in REMARKS)
-    return next(filter(None, map(unit_of_remark, remarks)), None)
 
 
 def _check_length(path: Path, layout: Layout) -> None:

@@ -79,18 +79,20 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         else columns_by_count(path, rows, values, settings, _elsewhere(path, encoding, dialect, settings))
     )
     metres = header.factors(path)
+    marked = _marked_rows(lines, columns, dialect)
     return Layout(
         encoding=encoding,
         dialect=dialect,
         columns=columns,
         metres=metres,
-        preamble=_first_row(lines, numbers[0], columns, dialect),
+        preamble=min([numbers[0], *marked]),
         announced=header.announced,
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=(
             *warnings,
             *_converted(path, header.units),
             *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
+            *_taken(path, marked),
         ),
     )
 
@@ -106,16 +108,24 @@ def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettin
     return np.concatenate(found)
 
 
-def _first_row(lines: list[str], regular: int, columns: Columns, dialect: Dialect) -> int:
-    """Return the number of lines before the first row, whose name may begin as a remark does."""
+def _marked_rows(lines: list[str], columns: Columns, dialect: Dialect) -> list[int]:
+    """Return the indices of the rows whose name begins as a remark does."""
     if 0 in columns.used:
-        return regular
-    rows = (index for index in range(regular) if _is_marked_row(lines[index], dialect))
-    return next(rows, regular)
+        return []
+    return [
+        index
+        for index, line in enumerate(lines)
+        if is_comment(line) and not is_remark(line, dialect.delimiter, dialect.width)
+    ]
 
 
-def _is_marked_row(line: str, dialect: Dialect) -> bool:
-    return is_comment(line) and not is_remark(line, dialect.delimiter, dialect.width)
+def _taken(path: Path, marked: list[int]) -> tuple[str, ...]:
+    if not marked:
+        return ()
+    return (
+        f"{len(marked)} of the first rows of {path}, the first in line {marked[0] + 1}, begin as remarks do "
+        "and were read as points, because their first field is a name.",
+    )
 
 
 def _converted(path: Path, units: dict[str, str]) -> tuple[str, ...]:

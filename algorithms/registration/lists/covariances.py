@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from .settings import ListSettings
+
 STDS = ("sx", "sy", "sz")
 """Standard deviations along x, y and z."""
 
@@ -30,3 +32,21 @@ def covariances_of(stds: np.ndarray, correlations: np.ndarray) -> np.ndarray:
     known = np.isfinite(stds).all(axis=1) & (np.nan_to_num(stds) > 0).all(axis=1)
     known[known] = np.linalg.eigvalsh(matrix[known])[:, 0] > 0
     return np.where(known[:, None, None], matrix * stds[:, :, None] * stds[:, None, :], np.nan)
+
+
+def warnings_on(source: str, stds: np.ndarray, settings: ListSettings = ListSettings()) -> tuple[str, ...]:
+    """Return what the user should know about the standard deviations of a list, in sentences.
+
+    Parameters
+    ----------
+    source : str
+        What messages call the list.
+    stds : ndarray, shape (n, 3)
+        Metres.
+    settings : ListSettings
+    """
+    known = stds[np.isfinite(stds)]
+    median = float(np.median(known)) if len(known) else 0.0
+    if median <= settings.largest_median_std_m:
+        return ()
+    return (f"The standard deviations in {source} are {median:.3g} m in the median; check their unit.",)

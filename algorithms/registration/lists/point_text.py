@@ -20,9 +20,9 @@ from ...tables.dialect import (
     split,
 )
 from ...tables.encoding import read_lines
-from ...tables.header import Header, read_preamble
+from ...tables.header import COORDINATES, Header, metres_of, read_preamble
 from ...tables.units import factor_of
-from .covariances import CORRELATIONS, STDS, covariances_of
+from .covariances import CORRELATIONS, STDS, covariances_of, warnings_on
 from .point_rows import Rows
 from .settings import ListSettings
 
@@ -92,16 +92,16 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     dialect = Dialect(delimiter, signs[0], width, signs[1])
     _refuse_bad_rows(path, rows, dialect, columns)
     xyz = _numbers_in(columns.xyz, rows.values(), dialect)
-    metres = header.factors(path)
-    units = sorted({unit for unit in header.units.values() if factor_of(unit) != 1})
+    stds, covariances = _uncertainties(path, columns, rows.values(), dialect, header)
     return Rows(
         source=str(path),
         places=tuple(f"line {number}" for number in rows),
         names=_names(rows.values(), columns.name) if columns.name else None,
-        xyz=xyz * metres,
-        covariances=_covariances(columns, rows.values(), dialect, np.array(metres)),
+        xyz=xyz * header.factors(path),
+        covariances=covariances,
         warnings=(
-            *(f"{path} gives coordinates in {unit}; they were converted to metres." for unit in units),
+            *_converted(path, header),
+            *warnings_on(str(path), stds, settings),
             *_warnings(path, rows.values(), columns),
             *_marked(path, lines, delimiter, width),
             *degree_warning(path, coordinates, dialect),
@@ -113,18 +113,36 @@ def _numbers_in(columns: tuple[int, ...], rows: Iterable[list[str]], dialect: Di
     return np.array([[dialect.number(row[column]) for column in columns] for row in rows])
 
 
-def _covariances(
-    columns: ListColumns, rows: Iterable[list[str]], dialect: Dialect, metres: np.ndarray
-) -> Optional[np.ndarray]:
-    """Return the covariances of the points, None if the file has no standard deviations."""
+def _uncertainties(
+    path: Path, columns: ListColumns, rows: Iterable[list[str]], dialect: Dialect, header: Header
+) -> tuple[np.ndarray, Optional[np.ndarray]]:
+    """Return the standard deviations (m) and the covariances of the points, None if the file has none.
+
+    Standard deviations without a unit have that of their coordinate.
+    """
     if not columns.stds:
-        return None
+        return np.empty((0, 3)), None
     rows = list(rows)
-    stds = _numbers_in(columns.stds, rows, dialect) * metres
+    units = [header.units.get(std, header.units.get(axis)) for std, axis in zip(STDS, COORDINATES)]
+    stds = _numbers_in(columns.stds, rows, dialect) * [metres_of(path, unit) for unit in units]
     correlations = np.zeros(stds.shape)
     if columns.correlations:
         correlations = _numbers_in(columns.correlations, rows, dialect)
-    return covariances_of(stds, correlations)
+    return stds, covariances_of(stds, correlations)
+
+
+def _converted(path: Path, header: Header) -> tuple[str, ...]:
+    """Return a sentence on each unit other than metres that the header states."""
+    groups = (("coordinates", COORDINATES), ("standard deviations", STDS))
+    found = {
+        (what, header.units[role])
+        for what, roles in groups
+        for role in roles
+        if factor_of(header.units.get(role)) != 1
+    }
+    return tuple(
+        f"{path} gives {what} in {unit}; they were converted to metres." for what, unit in sorted(found)
+    )
 
 
 def _is_remark(line: str, delimiter: str, width: int) -> bool:

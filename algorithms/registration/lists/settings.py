@@ -15,3 +15,7 @@ class ListSettings:
     least_numeric_share: float = judged(
         0.5, "A column with numbers in this share of its rows holds coordinates; the other rows are faulty."
     )
+    largest_median_std_m: float = judged(
+        0.05,
+        "Targets are seen and points surveyed to millimetres; a larger median is probably in another unit.",
+    )

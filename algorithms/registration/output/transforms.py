@@ -16,7 +16,7 @@ from rasterio.errors import CRSError
 from ...errors import InputError
 from ...files import atomic_output
 from ...reference_systems import horizontal, is_local, require_metres
-from ...tables.units import as_unit, factor_of
+from ...tables.units import METRES, as_unit
 from ..lists.scan_names import scan_of_cloud
 from ..results import REGISTERED, Correspondence, Registration, ScanRegistration
 
@@ -182,10 +182,10 @@ def read_transforms(path: Path) -> Transforms:
 
 
 def _refuse_other_units(path: Path, document: dict[str, Any]) -> None:
-    """Refuse matrices whose unit is stated and is not metres."""
+    """Refuse matrices whose unit is stated and is not known to be the metre."""
     for key in ("unit", "units"):
         unit = document.get(key)
-        if unit is not None and factor_of(as_unit(str(unit))) != 1:
+        if unit is not None and METRES.get(as_unit(str(unit)) or "") != 1:
             raise InputError(f"{path} gives matrices in {unit}; write shifts in metres.")
 
 

@@ -76,6 +76,26 @@ def test_a_bad_reference_is_refused_by_name(write, content, sentence):
         read_reference(write(content))
 
 
+def test_the_details_of_several_facades_may_have_the_same_ids(write):
+    schedule = read_schedule(write("facade,id,width,height\n1,7,1.2,1.5\n2,7,1.3,1.6\n")).lengths
+    reference = read_reference(write("Façade;id;width\n2;7;1,3\n")).lengths
+
+    assert [item.id for item in schedule] == [*["7 of facade 1"] * 2, *["7 of facade 2"] * 2]
+    assert reference == (("7 of facade 2", "width", 1.3, pytest.approx(np.nan, nan_ok=True)),)
+
+
+def test_a_length_that_a_facade_lists_twice_is_refused(write):
+    with pytest.raises(InputError, match=r"Line 3 of .* the width of 7 of facade 2 is listed twice"):
+        read_schedule(write("facade,id,width,height\n2,7,1.2,1.5\n2,7,1.3,1.6\n"))
+
+
+def test_a_standard_deviation_may_be_0_but_not_less(write):
+    found = read_schedule(write("id,width,height,width_std\n1,1.2,1.5,0.0\n")).lengths
+    assert found[0].std == 0
+    with pytest.raises(InputError, match=r"the width_std -0\.1 is not a standard deviation"):
+        read_schedule(write("id,width,height,width_std\n1,1.2,1.5,-0.1\n"))
+
+
 def test_a_schedule_without_heights_is_refused(write):
     with pytest.raises(InputError, match="has no column height"):
         read_schedule(write("id,width\n1,1.2\n"))

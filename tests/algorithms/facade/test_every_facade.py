@@ -7,6 +7,7 @@ import pytest
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.facade.every_facade import DrawnFacade, measure_every
 from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.planes.side import EAST
 from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.algorithms.progress import Progress
@@ -41,6 +42,17 @@ def test_each_facade_has_its_own_elevation(first):
     turned = every.drawn[1].elevation.frame.azimuth - first.elevation.frame.azimuth
     assert np.cos(np.radians(turned)) == pytest.approx(-1, abs=1e-3)
     assert every.drawn[1].elevation.wall.area == pytest.approx(12 * 5, rel=0.05)
+
+
+def test_side_applies_to_the_chosen_facade_only():
+    turned = block()[:, [1, 0, 2]] * (-1, 1, 1)
+    settings = replace(SETTINGS, side=EAST)
+    selection = select_facade(bare(turned, ORIGIN), settings)
+    chosen = next(facade for facade in selection.facades if facade.azimuth < 180)
+    selection = selection.of(chosen, settings)
+    elevation = measure_facade(selection.points, settings, wanted=selection.plane)
+    every = measure_every(DrawnFacade(chosen.number, selection, elevation), settings)
+    assert sorted(item.elevation.frame.azimuth for item in every.drawn) == pytest.approx([90, 270], abs=0.1)
 
 
 def test_facades_are_those_along_the_lines_where_lines_are_given(points):

@@ -98,5 +98,22 @@ def test_a_unit_that_is_stated_once_is_that_of_all_coordinates(lines):
     assert read_preamble(SCAN, lines, " ", 3).factors(SCAN) == (1e-3, 1e-3, 1e-3)
 
 
+@pytest.mark.parametrize(
+    ("lines", "metres"),
+    [
+        (["# units: m", "x[mm] y[mm] z"], (1e-3, 1e-3, 1)),
+        (["x y z[mm]", "# all in millimetres"], (1e-3, 1e-3, 1e-3)),
+    ],
+)
+def test_a_remark_states_the_unit_of_those_columns_that_state_none(lines, metres):
+    assert read_preamble(SCAN, lines, " ", 3).factors(SCAN) == metres
+
+
+@pytest.mark.parametrize("lines", [["# all in mm", "x y z[m]"], ["# units: mm", "# unit: m", "x y z"]])
+def test_remarks_with_several_units_are_refused(lines):
+    with pytest.raises(InputError, match=r"remarks in scan\.csv state several units, mm and m"):
+        read_preamble(SCAN, lines, " ", 3)
+
+
 def test_the_names_may_end_with_a_separator_although_the_rows_do_not():
     assert read_preamble(SCAN, ["X,Y,Z,i,"], ",", 4).columns == {"x": 0, "y": 1, "z": 2, "intensity": 3}

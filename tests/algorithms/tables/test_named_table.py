@@ -67,6 +67,7 @@ def test_a_table_that_does_not_fit_its_header_is_refused(table, content, problem
     ("content", "problem"),
     [
         ("id;width [mm];height\n1;900;1600\n", "states the unit of some columns only"),
+        ("# units: mm\n# units: cm\nid;width\n1;900\n", "state several units, mm and cm"),
         ("id;width;width\n1;0,9;1,6\n", "has several columns called width"),
         ("id,width,height\n1,0,9\n2,1,2\n", "commas in .* can be decimal signs or separators"),
         ("id;width;height\n1;0,9;1,600\n2;0,8;1,200\n3;0,8;1,5", "The number at the end of .* is cut off"),

@@ -35,6 +35,18 @@ def test_a_pts_announces_its_points(layout):
     assert (found.announced, found.preamble) == (2, 1)
 
 
+def test_rows_whose_name_begins_as_a_remark_does_are_points_and_it_is_said(layout):
+    found = layout("# site\n#1 1.5 2.5 3.5\n#2 4.5 5.5 6.5\nT3 7.5 8.5 9.5\nT4 7.5 8.5 9.5\n")
+    assert found.preamble == 1
+    assert any("2 of the first rows of" in warning and "line 2," in warning for warning in found.warnings)
+
+
+def test_a_remark_with_three_numbers_is_no_point(layout):
+    found = layout("# 500000 5700000 0\nT1 1.5 2.5 3.5\nT2 4.5 5.5 6.5\nT3 7.5 8.5 9.5\n")
+    assert found.preamble == 1
+    assert not any("remarks" in warning for warning in found.warnings)
+
+
 def test_a_byte_order_mark_decides_the_encoding(layout):
     assert layout("1 2 3\n", encoding="utf-8-sig").encoding == "utf-8-sig"
     assert layout("1 2 3\n", encoding="utf-16").encoding == "utf-16"

@@ -97,6 +97,31 @@ def test_standard_deviations_are_in_the_units_of_the_coordinates(tmp_path):
     assert points.covariances[0] == pytest.approx(np.diag([1e-6, 4e-6, 9e-6]))
 
 
+@pytest.mark.parametrize(
+    "header",
+    [
+        "name x[m] y[m] z[m] sx[mm] sy[mm] sz[mm]",
+        "name x y z sx[mm] sy[mm] sz[mm]",
+        "name x y z sx sy sz\n- m m m mm mm mm",
+        "# units: m\nname x y z sx[mm] sy[mm] sz[mm]",
+    ],
+)
+def test_standard_deviations_may_have_another_unit_than_the_coordinates(tmp_path, header):
+    points = read_point_list(write(tmp_path, f"{header}\nT1 1 2 3 1.5 2 3\nT2 4 5 6 1.5 2 3\n"))
+
+    np.testing.assert_array_equal(points.xyz, [[1, 2, 3], [4, 5, 6]])
+    assert points.covariances[0] == pytest.approx(np.diag([2.25e-6, 4e-6, 9e-6]))
+    assert [warning.partition(".txt")[2] for warning in points.warnings] == [
+        " gives standard deviations in mm; they were converted to metres."
+    ]
+
+
+def test_standard_deviations_that_are_probably_in_another_unit_are_warned_of(tmp_path):
+    points = read_point_list(write(tmp_path, "name x y z sx sy sz\nT1 1 2 3 1.5 2 3\nT2 4 5 6 1.5 2 3\n"))
+
+    assert any("are 2 m in the median; check their unit" in warning for warning in points.warnings)
+
+
 def test_a_list_without_all_three_standard_deviations_has_no_covariances(tmp_path):
     points = read_point_list(write(tmp_path, "x y z sx sy\n1 2 3 0.1 0.1\n4 5 6 0.1 0.1\n"))
 

@@ -275,12 +275,19 @@ def test_a_cloud_whose_scan_is_not_registered_does_not_stop_the_others(written):
     assert len(warnings) == 1 and "Gärten.laz is left out" in warnings[0]
 
 
-@pytest.mark.parametrize("unit", ["mm", "feet"])
+@pytest.mark.parametrize("unit", ["mm", "feet", "US survey feet", "foot_us", 0.3048])
 def test_shifts_in_another_unit_are_refused(tmp_path, unit):
     path = by_hand(tmp_path)
     path.write_text(json.dumps({"unit": unit, **json.loads(path.read_text())}))
     with pytest.raises(InputError, match=f"gives matrices in {unit}; write shifts in metres"):
         read_transforms(path)
+
+
+@pytest.mark.parametrize("unit", ["m", "metres", "Meter"])
+def test_the_metre_may_be_stated(tmp_path, unit):
+    path = by_hand(tmp_path)
+    path.write_text(json.dumps({"unit": unit, **json.loads(path.read_text())}))
+    assert read_transforms(path).scans
 
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
