@@ -66,6 +66,8 @@ def _of_file(source: Source, settings: TargetSettings, progress: Progress) -> li
     found = []
     for station in read_stations(source, settings.station, progress.part(0.0, 0.5)):
         image = image_of(station, str(source.path), settings.range_image)
+        # The image has its own copy of the points, and a search takes memory too.
+        del station
         found.append(search_station(name, image, settings, progress.part(0.5, 1.0)))
     if len(found) > 1:
         found = [replace(item, name=f"{name}_{number}") for number, item in enumerate(found, start=1)]

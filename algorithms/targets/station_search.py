@@ -7,7 +7,7 @@ import numpy as np
 
 from ..progress import Progress
 from .checkerboards.candidates import checkerboard_candidates
-from .checkerboards.checkerboard import TILES, checkerboard_at
+from .checkerboards.checkerboard import TILES, WIDTH, checkerboard_at
 from .range_image.range_image import RangeImage
 from .results import Rejection, StationTargets, Target
 from .settings import TargetSettings, Wanted
@@ -64,7 +64,7 @@ def _checkerboards(
         settings.same_place,
         progress,
     )
-    return _without_tiles(found, failed, settings)
+    return without_tiles(found, failed, settings)
 
 
 def _spheres(
@@ -128,18 +128,32 @@ def _with(found: list[Target], new: Target, same_place: float) -> list[Target]:
     return [item for item in found if all(item is not other for other in same)] + [best]
 
 
-def _without_tiles(
+def without_tiles(
     found: list[Target], failed: list[Rejection], settings: TargetSettings
 ) -> tuple[list[Target], list[Rejection]]:
-    """Move the targets that lie among corners of tiles to the rejections: the rim of a tiled surface."""
-    tiles = [item.xyz for item in failed if item.test == TILES]
+    """Move the targets that lie among other crossings to the rejections: the rim of a tiled surface.
+
+    Those are corners of tiles, crossings of fields too large for a target, and patterns that look like one
+    themselves and are as large. A crossing at the target is its own, seen from another candidate.
+
+    Parameters
+    ----------
+    found : list of Target
+        Black and white ones.
+    failed : list of Rejection
+    settings : TargetSettings
+    """
+    wide = [item for item in failed if item.test == WIDTH and item.value > item.limit]
+    corners = [(item.xyz, np.inf) for item in (*wide, *(item for item in failed if item.test == TILES))]
+    crossings = [*corners, *((item.xyz, item.size) for item in found)]
     kept = []
     for item in found:
-        near = sum(np.linalg.norm(item.xyz - place) < settings.tiled_reach * item.size for place in tiles)
+        away = [np.linalg.norm(item.xyz - place) / min(item.size, size) for place, size in crossings]
+        near = sum(settings.same_place < distance < settings.tiled_reach for distance in away)
         if near > settings.most_tiles:
-            passed = max(other.passed for other in failed) + 1
+            passed = max((other.passed for other in failed), default=0) + 1
             failed.append(
-                Rejection(item.kind, item.xyz, "tiles nearby", passed, float(near), settings.most_tiles)
+                Rejection(item.kind, item.xyz, "crossings nearby", passed, float(near), settings.most_tiles)
             )
         else:
             kept.append(item)

@@ -18,6 +18,9 @@ from .settings import AcceptanceSettings, CheckerboardSettings
 TILES = "likeness of tiles around it"
 """The test that corners of tiles fail."""
 
+WIDTH = "width of the pattern"
+"""The test that corners of large fields fail."""
+
 
 @dataclass(frozen=True)
 class Seen:
@@ -100,7 +103,8 @@ def _examined(
     places = frame.places(plane.meets(near.rays))
     first = first_pattern(places, near.intensities, max(spacing, candidate.radius / 6))
     exam.at_least("likeness of two edges", first.likeness(places, near.intensities), tests.least_likeness)
-    pattern = fit_pattern(first, places, near.intensities, settings.pattern)
+    trial = replace(settings.pattern, rounds=settings.pattern.trial_rounds)
+    pattern = fit_pattern(first, places, near.intensities, trial)
     _examine_pattern(exam, pattern, tests)
     exam.at_most("shift of the centre", np.hypot(*pattern.centre), candidate.radius, "m")
     around = _seen(image, xyz, settings.extent.largest_m / 2)
@@ -196,8 +200,8 @@ def _examine_extent(
     low, high = tests.sizes_m
     if size is not None:
         low, high = size * (1 - tests.size_tolerance), size * (1 + tests.size_tolerance)
-    exam.at_least("width of the pattern", extent.size, low - 2 * extent.ring, "m")
-    exam.at_most("width of the pattern", extent.size, high + 2 * extent.ring, "m")
+    exam.at_least(WIDTH, extent.size, low - 2 * extent.ring, "m")
+    exam.at_most(WIDTH, extent.size, high + 2 * extent.ring, "m")
 
 
 def _covariance(

@@ -51,6 +51,9 @@ class PatternSettings:
     """The fit of the two edges."""
 
     trial_points: int = judged(800, "Of the first fit at a candidate; the final one takes all points.")
+    trial_rounds: int = judged(
+        12, "Rounds of the first fit; from a candidate on a target it settles in six to ten."
+    )
     rounds: int = judged(25, "Rounds of a fit at most; it ends when the centre no longer moves.")
     settled: float = judged(3e-4, "A fit ends when the centre moves less, in units of the blur.")
     angle_std: float = physical(

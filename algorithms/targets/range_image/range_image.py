@@ -166,11 +166,13 @@ def _not_one_station(name: str, position: np.ndarray, reason: str) -> InputError
 
 def jump_share(ranges: np.ndarray, jump: float) -> float:
     """Return the share of neighbours in a row whose ranges differ by more than the part `jump`."""
-    left, right = ranges[:, :-1], ranges[:, 1:]
-    both = (left > 0) & (right > 0)
-    if not np.any(both):
-        return 1.0
-    return float(np.mean(np.abs(left[both] - right[both]) > jump * np.minimum(left[both], right[both])))
+    jumps, pairs = 0, 0
+    # Row by row, because copies of tens of millions of pixels need as much memory as the points.
+    for left, right in zip(ranges[:, :-1], ranges[:, 1:]):
+        both = (left > 0) & (right > 0)
+        pairs += np.count_nonzero(both)
+        jumps += np.count_nonzero(both & (np.abs(left - right) > jump * np.minimum(left, right)))
+    return jumps / pairs if pairs else 1.0
 
 
 def _cut(azimuth: np.ndarray, bins: int) -> float:

@@ -1,11 +1,13 @@
 """The targets of one station."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from ichnograph.algorithms.targets.results import Kind
+from ichnograph.algorithms.targets.results import Kind, Rejection
 from ichnograph.algorithms.targets.settings import TargetSettings, Wanted
-from ichnograph.algorithms.targets.station_search import search_station
-from ichnograph.tests.algorithms.targets.made_targets import SCANNER, image_of_simulated
+from ichnograph.algorithms.targets.station_search import search_station, without_tiles
+from ichnograph.tests.algorithms.targets.made_targets import SCANNER, image_of_simulated, target
 from ichnograph.tests.scenes.stations.layout import cluttered_station, target_station
 
 PLACES = (
@@ -76,3 +78,42 @@ def test_posters_tiles_windows_lamps_balls_pipes_and_painted_walls_are_no_target
 
     assert found.sure == ()
     assert found.rejections
+
+
+def kept(*found, failed=()):
+    return without_tiles(list(found), list(failed), TargetSettings())
+
+
+def crossing(y, test, value=1.0, limit=0.5):
+    return Rejection(Kind.CHECKERBOARD, np.array([4.0, y, 0.0]), test, 9, value, limit)
+
+
+def test_patterns_in_a_row_are_tiles_and_two_beside_each_other_are_targets():
+    row = [target((4.0, 0.25 * number, 0.0)) for number in range(4)]
+
+    assert kept(*row[:2])[0] == row[:2]
+    inner, failed = kept(*row)
+    assert [item.xyz[1] for item in inner] == [0.0, 0.75], "those at the ends have one neighbour each"
+    assert {item.test for item in failed} == {"crossings nearby"}
+
+
+def test_a_pattern_among_crossings_of_large_fields_is_no_target():
+    test = "width of the pattern"
+    large = [crossing(y, test, value=np.inf) for y in (-0.2, 0.2)]
+    small = [crossing(y, test, value=0.01) for y in (-0.2, 0.2)]
+
+    assert kept(target(), failed=large)[0] == []
+    assert len(kept(target(), failed=small)[0]) == 1
+
+
+def test_other_candidates_at_a_target_do_not_speak_against_it():
+    own = [crossing(y, "width of the pattern", value=np.inf) for y in (-0.03, 0.0, 0.03)]
+
+    assert len(kept(target(), failed=own)[0]) == 1
+
+
+def test_a_large_target_beside_two_small_ones_is_not_tiled():
+    large = replace(target(), size=0.3)
+    small = [replace(target((4.0, y, 0.0)), size=0.075) for y in (-0.4, 0.4)]
+
+    assert len(kept(large, *small)[0]) == 3

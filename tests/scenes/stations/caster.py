@@ -245,6 +245,7 @@ def _cast(
     """
     ranges, power = np.zeros(len(rays)), np.zeros(len(rays))
     ray = np.zeros(3)
+    turn = np.cos(GOLDEN_ANGLE), np.sin(GOLDEN_ANGLE)
     for number in range(len(rays)):
         middle = rays[number]
         level = np.sqrt(middle[0] ** 2 + middle[1] ** 2)
@@ -252,12 +253,13 @@ def _cast(
         up = (-middle[2] * across[1], middle[2] * across[0], level)
         reach, _ = _first(middle, panels, balls, rods)
         width = (beam[0] / reach if reach > 0 else 0.0) + beam[1]
+        cosine, sine = np.cos(2 * np.pi * chance[number, 1]), np.sin(2 * np.pi * chance[number, 1])
         total, weighted = 0.0, 0.0
         for part in range(RAYS):
             inner = (part + (chance[number, 0] + part * GOLDEN_PART) % 1.0) / RAYS
             away = width * np.sqrt(-0.5 * np.log(1.0 - inner))
-            turn = 2 * np.pi * chance[number, 1] + part * GOLDEN_ANGLE
-            x, y = away * np.cos(turn), away * np.sin(turn)
+            x, y = away * cosine, away * sine
+            cosine, sine = cosine * turn[0] - sine * turn[1], sine * turn[0] + cosine * turn[1]
             for axis in range(3):
                 ray[axis] = middle[axis] + x * across[axis] + y * up[axis]
             ray /= np.sqrt(ray[0] ** 2 + ray[1] ** 2 + ray[2] ** 2)
