@@ -114,13 +114,13 @@ def _examined(
     _examine_extent(exam, extent, size, tests)
     likeness = tiled(pattern, extent.size / 2, places, around.intensities, settings.extent)
     exam.at_most(TILES, likeness, tests.most_tiled)
-    return _fitted(exam, image, around, pattern, extent, frame, settings)
+    return _fitted(exam, image, plane, pattern, extent, frame, settings)
 
 
 def _fitted(
     exam: Examination,
     image: RangeImage,
-    around: Seen,
+    plane: RayPlane,
     pattern: Pattern,
     extent: Extent,
     frame: Frame,
@@ -132,10 +132,8 @@ def _fitted(
     radius = half - min(tests.rim_blurs * pattern.blur, tests.most_rim * half)
     middle = frame.position(pattern.centre)
     seen = _seen(image, middle, radius)
-    seen = seen[np.linalg.norm(seen.rays * seen.ranges[:, None] - middle, axis=1) < 2 * radius]
-    # The cone is wider than the target on a slanting plane.
-    wide = exam.found("planar target", _plane(seen, settings))
-    seen = seen[np.linalg.norm(wide.meets(seen.rays) - middle, axis=1) < radius]
+    # The cone is wider than a slanting target, and would be filled by what is behind it.
+    seen = seen[np.linalg.norm(plane.meets(seen.rays) - middle, axis=1) < radius]
     plane = exam.found("planar target", _plane(seen, settings))
     frame = Frame.of(plane, middle)
     seen = seen[plane.kept]

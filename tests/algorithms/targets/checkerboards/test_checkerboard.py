@@ -7,7 +7,8 @@ from ichnograph.algorithms.targets.checkerboards.checkerboard import checkerboar
 from ichnograph.algorithms.targets.checkerboards.settings import CheckerboardSettings
 from ichnograph.algorithms.targets.results import Rejection, Target
 from ichnograph.tests.algorithms.targets.made_targets import SCANNER, image_of_simulated, one_target
-from ichnograph.tests.scenes.stations.layout import cluttered_station
+from ichnograph.tests.scenes.stations.caster import Scanner
+from ichnograph.tests.scenes.stations.layout import cluttered_station, target_station
 
 
 def examined(scan, size=None, radius=0.03, shift=0.005):
@@ -69,3 +70,13 @@ def test_fields_that_do_not_end_are_rejected():
     ]
 
     assert all(isinstance(result, Rejection) for result in results)
+
+
+@pytest.mark.parametrize(("incidence", "seed"), [(60.0, 4), (66.0, 4), (66.0, 7)])
+def test_what_is_behind_a_slanting_target_does_not_hide_it(incidence, seed):
+    scanner = Scanner(step=0.0006, noise=0.0015, crosstalk=-0.0014)
+    scan = target_station(scanner, [("black and white", 0.3, 6.0, incidence)], seed)
+    target = examined(scan, radius=0.016, shift=0.002)
+
+    assert isinstance(target, Target)
+    assert np.linalg.norm(target.xyz - scan.targets[0].centre) < 0.002
