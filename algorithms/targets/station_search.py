@@ -7,7 +7,7 @@ import numpy as np
 
 from ..progress import Progress
 from .checkerboards.candidates import checkerboard_candidates
-from .checkerboards.checkerboard import TILES, WIDTH, checkerboard_at
+from .checkerboards.checkerboard import TILES, checkerboard_at
 from .range_image.range_image import RangeImage
 from .results import Rejection, StationTargets, Target
 from .settings import TargetSettings, Wanted
@@ -133,8 +133,8 @@ def without_tiles(
 ) -> tuple[list[Target], list[Rejection]]:
     """Move the targets that lie among other crossings to the rejections: the rim of a tiled surface.
 
-    Those are corners of tiles, crossings of fields too large for a target, and patterns that look like one
-    themselves and are as large. A crossing at the target is its own, seen from another candidate.
+    Those are corners of tiles, and patterns that look like a target themselves and are as large. A crossing
+    at the target is its own, seen from another candidate.
 
     Parameters
     ----------
@@ -143,9 +143,8 @@ def without_tiles(
     failed : list of Rejection
     settings : TargetSettings
     """
-    wide = [item for item in failed if item.test == WIDTH and item.value > item.limit]
-    corners = [(item.xyz, np.inf) for item in (*wide, *(item for item in failed if item.test == TILES))]
-    crossings = [*corners, *((item.xyz, item.size) for item in found)]
+    crossings = [(item.xyz, np.inf) for item in failed if item.test == TILES]
+    crossings += [(item.xyz, item.size) for item in found]
     kept = []
     for item in found:
         away = [np.linalg.norm(item.xyz - place) / min(item.size, size) for place, size in crossings]

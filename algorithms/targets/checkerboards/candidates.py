@@ -1,6 +1,8 @@
 """Where a range image may show the centre of a black and white target."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -42,20 +44,16 @@ def checkerboard_candidates(image: RangeImage, settings: CandidateSettings) -> l
     their second harmonic is large, and larger than all that differs between opposite directions (a
     circular corner detector after Bennett and Lasenby 2014, ChESS).
     """
-    found: list[Candidate] = []
-    for radius in settings.radii_m:
-        response = _responses(
-            image.ranges,
-            image.brightness,
-            np.array([image.step, image.step_of_azimuth, image.floor]),
-            image.period,
-            radius,
-            RINGS,
-            np.array(
-                [settings.least_pixels, settings.least_contrast, settings.least_response, settings.most_odd]
-            ),
-        )
-        found += _peaks(image, response, radius)
+
+    def of_radius(radius: float) -> list[Candidate]:
+        limits = [settings.least_pixels, settings.least_contrast, settings.least_response, settings.most_odd]
+        geometry = np.array([image.step, image.step_of_azimuth, image.floor])
+        grids = image.ranges, image.brightness
+        response = _responses(*grids, geometry, image.period, radius, RINGS, np.array(limits))
+        return _peaks(image, response, radius)
+
+    with ThreadPoolExecutor() as pool:
+        found = list(chain.from_iterable(pool.map(of_radius, settings.radii_m)))
     found.sort(key=lambda item: -item.response)
     return found
 

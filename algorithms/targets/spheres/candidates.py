@@ -1,6 +1,8 @@
 """Where a range image may show a sphere."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
@@ -43,27 +45,24 @@ def sphere_candidates(
         Metres.
     settings : CandidateSettings
     """
-    found: list[Candidate] = []
-    for diameter in diameters:
-        misfits = _misfits(
-            image.ranges,
-            np.array([image.step, image.step_of_azimuth, image.floor]),
-            image.period,
-            diameter / 2,
-            np.array(settings.rings),
-            np.array(
-                [
-                    settings.least_pixels,
-                    settings.tolerance * diameter / 2 + settings.noise_m,
-                    settings.least_agreement,
-                    settings.least_free,
-                ]
-            ),
-        )
-        rows, columns = np.nonzero(misfits)
-        for row, column in zip(rows, columns):
-            xyz = image.direction(row, column) * float(image.ranges[row, column])
-            found.append(Candidate(xyz, diameter / 2, float(misfits[row, column]) / diameter * 2))
+
+    def of_diameter(diameter: float) -> list[Candidate]:
+        tolerance = settings.tolerance * diameter / 2 + settings.noise_m
+        limits = [settings.least_pixels, tolerance, settings.least_agreement, settings.least_free]
+        geometry = np.array([image.step, image.step_of_azimuth, image.floor])
+        rings = np.array(settings.rings)
+        misfits = _misfits(image.ranges, geometry, image.period, diameter / 2, rings, np.array(limits))
+        return [
+            Candidate(
+                image.direction(row, column) * float(image.ranges[row, column]),
+                diameter / 2,
+                float(misfits[row, column]) / diameter * 2,
+            )
+            for row, column in zip(*np.nonzero(misfits))
+        ]
+
+    with ThreadPoolExecutor() as pool:
+        found = list(chain.from_iterable(pool.map(of_diameter, diameters)))
     found.sort(key=lambda item: item.misfit)
     return found
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.targets.checkerboards.checkerboard import TILES
 from ichnograph.algorithms.targets.results import Kind, Rejection
 from ichnograph.algorithms.targets.settings import TargetSettings, Wanted
 from ichnograph.algorithms.targets.station_search import search_station, without_tiles
@@ -84,8 +85,8 @@ def kept(*found, failed=()):
     return without_tiles(list(found), list(failed), TargetSettings())
 
 
-def crossing(y, test, value=1.0, limit=0.5):
-    return Rejection(Kind.CHECKERBOARD, np.array([4.0, y, 0.0]), test, 9, value, limit)
+def corner_of_tiles(y):
+    return Rejection(Kind.CHECKERBOARD, np.array([4.0, y, 0.0]), TILES, 9, 0.9, 0.5)
 
 
 def test_patterns_in_a_row_are_tiles_and_two_beside_each_other_are_targets():
@@ -97,17 +98,13 @@ def test_patterns_in_a_row_are_tiles_and_two_beside_each_other_are_targets():
     assert {item.test for item in failed} == {"crossings nearby"}
 
 
-def test_a_pattern_among_crossings_of_large_fields_is_no_target():
-    test = "width of the pattern"
-    large = [crossing(y, test, value=np.inf) for y in (-0.2, 0.2)]
-    small = [crossing(y, test, value=0.01) for y in (-0.2, 0.2)]
-
-    assert kept(target(), failed=large)[0] == []
-    assert len(kept(target(), failed=small)[0]) == 1
+def test_a_pattern_among_corners_of_tiles_is_no_target():
+    assert kept(target(), failed=[corner_of_tiles(-0.2), corner_of_tiles(0.2)])[0] == []
+    assert len(kept(target(), failed=[corner_of_tiles(0.2)])[0]) == 1
 
 
 def test_other_candidates_at_a_target_do_not_speak_against_it():
-    own = [crossing(y, "width of the pattern", value=np.inf) for y in (-0.03, 0.0, 0.03)]
+    own = [corner_of_tiles(y) for y in (-0.03, 0.0, 0.03)]
 
     assert len(kept(target(), failed=own)[0]) == 1
 
