@@ -194,6 +194,10 @@ tutorial: setup  ## Run the commands of docs/tutorial.md, and draw its pictures
 	@rm -rf build/tutorial
 	$(RUN) -m ichnograph.scripts.tutorial build/tutorial docs/pictures
 
+.PHONY: translations
+translations: setup  ## Bring the translations up to date with the texts, compile them, and list what is missing
+	$(RUN) -m ichnograph.scripts.translations
+
 house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
 	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg
 

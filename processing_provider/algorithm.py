@@ -27,6 +27,7 @@ from .dependencies import ALL, explain_broken, explain_missing, lacking
 from .help import help_of
 from .interruption import compilation_announced, interruptible
 from .labels import with_labels
+from .language import translated
 from .layers import reopen_layers
 from .log import Log
 from .manual import page_url
@@ -102,10 +103,10 @@ class Algorithm(QgsProcessingAlgorithm):
         return self.key
 
     def displayName(self) -> str:
-        return self.title
+        return translated(self.title)
 
     def group(self) -> str:
-        return self.chapter
+        return translated(self.chapter)
 
     def groupId(self) -> str:
         return self.chapter.replace(" ", "").lower()
@@ -120,7 +121,7 @@ class Algorithm(QgsProcessingAlgorithm):
         return list(self.words)
 
     def shortDescription(self) -> str:
-        return self.summary
+        return translated(self.summary)
 
     def shortHelpString(self) -> str:
         return help_of(self.about, self.inputs, self.destinations)
@@ -138,11 +139,11 @@ class Algorithm(QgsProcessingAlgorithm):
             for definition in output.further_outputs():
                 self.addOutput(definition)
         for name, label in self.numbers:
-            self.addOutput(QgsProcessingOutputNumber(name, label))
+            self.addOutput(QgsProcessingOutputNumber(name, translated(label)))
 
     def canExecute(self) -> tuple[bool, str]:
         missing = lacking(self.needs)
-        return not missing, explain_missing(missing) if missing else ""
+        return not missing, translated(explain_missing(missing)) if missing else ""
 
     def checkParameterValues(
         self, parameters: dict[str, Any], context: QgsProcessingContext
@@ -150,11 +151,11 @@ class Algorithm(QgsProcessingAlgorithm):
         try:
             self._values(parameters, context)
         except IchnographError as error:
-            return False, with_labels(str(error), self._labels())
+            return False, self._said(str(error))
         except ImportError as error:
             # Reading a layer needs the packages.
             missing = lacking(self.needs)
-            return False, explain_missing(missing) if missing else explain_broken(error)
+            return False, self._said(explain_missing(missing) if missing else explain_broken(error))
         return True, ""
 
     def processAlgorithm(
@@ -164,7 +165,7 @@ class Algorithm(QgsProcessingAlgorithm):
             # Only the desktop calls canExecute.
             missing = lacking(self.needs)
             if missing:
-                raise QgsProcessingException(explain_missing(missing))
+                raise QgsProcessingException(self._said(explain_missing(missing)))
             log = Log(feedback, self._labels())
             self.project = context.project() or QgsProject.instance()
             log.warn(self._unknown(parameters))
@@ -206,17 +207,21 @@ class Algorithm(QgsProcessingAlgorithm):
         except MissingPackageError as error:
             sentence = explain_missing(lacking(error.modules))
             text = f"{error.what} cannot be {error.done}: {sentence}"
-            raise QgsProcessingException(with_labels(text, self._labels())) from error
+            raise QgsProcessingException(self._said(text)) from error
         except IchnographError as error:
-            raise QgsProcessingException(with_labels(str(error), self._labels())) from error
+            raise QgsProcessingException(self._said(str(error))) from error
         except MemoryError as error:
             sentence = "There is not enough memory; cut or thin the input, or close other programs."
-            raise QgsProcessingException(sentence) from error
+            raise QgsProcessingException(self._said(sentence)) from error
         except ImportError as error:
-            raise QgsProcessingException(explain_broken(error)) from error
+            raise QgsProcessingException(self._said(explain_broken(error))) from error
+
+    def _said(self, sentence: str) -> str:
+        """Return a sentence of the core as the user reads it."""
+        return with_labels(translated(sentence), self._labels())
 
     def _labels(self) -> dict[str, str]:
-        return {item.name: item.label for item in (*self.inputs, *self.destinations)}
+        return {item.name: translated(item.label) for item in (*self.inputs, *self.destinations)}
 
     def _values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
         return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}

@@ -2,6 +2,8 @@
 
 from html import escape
 
+from .language import translated
+
 ALIASES = {
     # Site plan
     "wall_id": "Wall",
@@ -97,7 +99,7 @@ ALIASES = {
 def aliases_of(fields: list[str]) -> str:
     """Return the aliases of a layer with `fields`, as the element of a QML style."""
     rows = [
-        f'<alias index="{number}" field="{escape(name)}" name="{escape(ALIASES[name])}"/>'
+        f'<alias index="{number}" field="{escape(name)}" name="{escape(translated(ALIASES[name]))}"/>'
         for number, name in enumerate(fields)
         if name in ALIASES
     ]

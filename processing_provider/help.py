@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from .desktop import on_desktop
+from .language import translated
 from .parameters.parameter import Parameter
 
 
@@ -16,20 +17,20 @@ def help_of(about: str, inputs: Iterable[Parameter], outputs: Iterable[Parameter
     inputs, outputs : iterable of Parameter
     """
     if not on_desktop():
-        return "\n".join([about, *map(_plain, inputs), *map(_plain, outputs)])
+        return "\n".join([translated(about), *map(_plain, inputs), *map(_plain, outputs)])
     advanced = [item for item in inputs if getattr(item, "advanced", False)]
     basic = [item for item in inputs if item not in advanced]
     sections = {"Parameters": basic, "Advanced parameters": advanced, "Outputs": list(outputs)}
-    lines = [about]
+    lines = [translated(about)]
     for title, items in sections.items():
         if items:
-            lines += [f"<h3>{title}</h3>", *map(_rich, items)]
+            lines += [f"<h3>{translated(title)}</h3>", *map(_rich, items)]
     return "\n".join(lines)
 
 
 def _plain(item: Parameter) -> str:
-    return f"{item.description}: {item.explanation}"
+    return f"{translated(item.description)}: {translated(item.explanation)}"
 
 
 def _rich(item: Parameter) -> str:
-    return f"<b>{item.description}</b><br>{item.explanation}"
+    return f"<b>{translated(item.description)}</b><br>{translated(item.explanation)}"

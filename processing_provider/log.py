@@ -6,6 +6,7 @@ from qgis.core import QgsProcessingFeedback
 
 from ..algorithms.progress import Progress
 from .labels import with_labels
+from .language import translated
 
 
 class Log:
@@ -27,12 +28,12 @@ class Log:
 
     def info(self, sentence: str) -> None:
         """Write a sentence to the log."""
-        self._feedback.pushInfo(with_labels(sentence, self._labels))
+        self._feedback.pushInfo(with_labels(translated(sentence), self._labels))
 
     def warn(self, sentences: Iterable[str]) -> None:
         """Write sentences to the log as warnings."""
         for sentence in sentences:
-            self._feedback.pushWarning(with_labels(sentence, self._labels))
+            self._feedback.pushWarning(with_labels(translated(sentence), self._labels))
 
     def _report(self, fraction: float, message: str) -> None:
         # A search that starts again does not move the bar back.
@@ -41,4 +42,4 @@ class Log:
         # The core repeats its message with every chunk.
         if message and message != self._last_message:
             self._last_message = message
-            self._feedback.setProgressText(message)
+            self._feedback.setProgressText(translated(message))

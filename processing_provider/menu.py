@@ -9,6 +9,7 @@ from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from .algorithm import ICONS
+from .language import translated
 from .manual import page_url
 
 TITLE = "Ichnograph"
@@ -47,7 +48,7 @@ class Menu:
         self._actions.clear()
 
     def _add(self, text: str, icon: str, opened: Callable[..., None]) -> None:
-        action = QAction(QIcon(str(ICONS / f"{icon}.svg")), text, self._iface.mainWindow())
+        action = QAction(QIcon(str(ICONS / f"{icon}.svg")), translated(text), self._iface.mainWindow())
         action.triggered.connect(opened)
         self._iface.addPluginToMenu(TITLE, action)
         self._actions.append(action)

@@ -5,7 +5,7 @@
 from configparser import ConfigParser
 from pathlib import Path
 
-from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .algorithm import ICONS
@@ -23,6 +23,8 @@ from .algorithms.simulate_registration import SimulateRegistrationAlgorithm
 from .algorithms.site_plan import SitePlanAlgorithm
 from .algorithms.thin_cloud import ThinCloudAlgorithm
 from .algorithms.transform_cloud import TransformCloudAlgorithm
+from .language import translated
+from .model import Model
 
 MODELS = Path(__file__).parent / "models"
 
@@ -46,7 +48,7 @@ class Provider(QgsProcessingProvider):
         return "Ichnograph"
 
     def longName(self) -> str:
-        return "Ichnograph: laser scans to site plans and elevations"
+        return translated("Ichnograph: laser scans to site plans and elevations")
 
     def icon(self) -> QIcon:
         return QIcon(self.svgIconPath())
@@ -85,6 +87,4 @@ class Provider(QgsProcessingProvider):
         ):
             self.addAlgorithm(algorithm())
         for path in sorted(MODELS.glob("*.model3")):
-            model = QgsProcessingModelAlgorithm()
-            if model.fromFile(str(path)):
-                self.addAlgorithm(model)
+            self.addAlgorithm(Model(path))

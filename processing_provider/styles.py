@@ -1,5 +1,7 @@
 """The styles of the outputs: saved beside the file, and set on the layer that QGIS loads."""
 
+import re
+from html import escape, unescape
 from pathlib import Path
 from string import Template
 from typing import Any, ClassVar, Optional
@@ -17,11 +19,15 @@ from qgis.PyQt.QtXml import QDomDocument
 from qgis.utils import iface
 
 from .fields import aliases_of
+from .language import translated
 
 STYLES = Path(__file__).parent / "styles"
 
 MARK = "<!-- made by Ichnograph -->"
 """Marks the styles that are written here; it is gone once a user saves the style in QGIS."""
+
+LABEL = re.compile(r'(?<= label=")[^"]*')
+"""What a legend shows."""
 
 MARGIN = 1.1
 """The canvas opens on this many times the extent of the layer that it opens on."""
@@ -37,6 +43,7 @@ def style_of(name: str, file: Path, values: dict[str, Any]) -> str:
     """
     style = (STYLES / f"{name}.qml").read_text(encoding="utf-8")
     text = Template(style).substitute(values if "$minimum" not in style else _stretch(file))
+    text = LABEL.sub(lambda found: escape(translated(unescape(found[0]))), text)
     return text.replace("</qgis>", f"{aliases_of(_fields(file))}</qgis>")
 
 

@@ -100,7 +100,7 @@ def compare_lengths(
             f"{schedule.source} has no length of {reference.source}; use the ids of the schedule "
             "in both, and its column facade if it has one."
         )
-    warnings = (f"{schedule.source} has no {', no '.join(unknown)}.",) if unknown else ()
+    warnings = (f"{schedule.source} has no {', '.join(unknown)}.",) if unknown else ()
     doubt = _doubtful_unit(schedule.source, reference.source, lengths, settings)
     return LengthComparison(tuple(lengths), (*schedule.warnings, *reference.warnings, *doubt, *warnings))
 

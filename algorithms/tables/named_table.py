@@ -167,7 +167,7 @@ def _header(
         names.pop()
     missing = [name for name in needed if name not in recognised(names, roles)]
     if missing:
-        raise InputError(f"{path} has no column {' and no column '.join(missing)}; add or rename it.")
+        raise InputError(f"{path} has no column {', '.join(missing)}; add or rename it.")
     return delimiter, names
 
 

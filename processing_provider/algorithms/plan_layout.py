@@ -16,6 +16,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QDate, QLocale
 
 from ..algorithm import Algorithm, Outcome
+from ..language import translated
 from ..layers import forget_system, is_on_earth
 from ..layouts.composition import Contents, compose
 from ..layouts.export import write_pdf, write_svg
@@ -151,7 +152,7 @@ def _block(
         ("Title", title),
         ("Author", project.metadata().author()),
         ("Date", QLocale().toString(QDate.currentDate(), QLocale.FormatType.ShortFormat)),
-        ("Scale", f"1:{scale:g} on {sheet}"),
-        ("System", system or "local, metres"),
+        ("Scale", translated(f"1:{scale:g} on {sheet}")),
+        ("System", system or translated("local, metres")),
     ]
-    return [row for row in rows if row[1]]
+    return [(translated(name), value) for name, value in rows if value]

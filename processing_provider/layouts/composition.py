@@ -27,6 +27,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QSizeF
 from qgis.PyQt.QtGui import QFont
 
+from ..language import translated
 from ..layers import is_on_earth
 from .sheet import Box, Sheet, grid_interval
 
@@ -105,7 +106,7 @@ def _map(layout: QgsPrintLayout, sheet: Sheet, contents: Contents) -> QgsLayoutI
 
 def _grid(shown: QgsLayoutItemMap, scale: float) -> None:
     """Cross the map where coordinates are round, and name them at its edges."""
-    grid = QgsLayoutItemMapGrid("Coordinates", shown)
+    grid = QgsLayoutItemMapGrid(translated("Coordinates"), shown)
     interval = grid_interval(scale)
     grid.setIntervalX(interval)
     grid.setIntervalY(interval)

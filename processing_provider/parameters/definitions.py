@@ -18,6 +18,8 @@ from qgis.core import (
     QgsProperty,
 )
 
+from ..language import translated
+
 ALL_FILES = "All files (*)"
 
 WIDGETS = f"{__name__.rpartition('.')[0]}.widgets"
@@ -30,7 +32,7 @@ class _FilesDefinition:
     filters: str
 
     def createFileFilter(self) -> str:
-        return f"{self.filters};;{ALL_FILES}"
+        return f"{translated(self.filters)};;{translated(ALL_FILES)}"
 
     def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
         return bool(value)

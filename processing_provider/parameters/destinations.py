@@ -25,6 +25,7 @@ from ...algorithms.errors import InputError, MissingPackageError
 from ..dependencies import lacking
 from ..desktop import on_desktop
 from ..labels import with_labels
+from ..language import translated, translated_page
 from ..pages import page_of_table, page_of_text
 from .parameter import Parameter
 
@@ -191,7 +192,11 @@ class FileDestination(Destination):
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         return QgsProcessingParameterFileDestination(
-            self.name, self.description, self.filters, optional=self.optional, createByDefault=self.by_default
+            self.name,
+            self.description,
+            translated(self.filters),
+            optional=self.optional,
+            createByDefault=self.by_default,
         )
 
     def _path(
@@ -218,7 +223,7 @@ class ListedDestination(FileDestination):
 
     def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
         """Return the definition of the page."""
-        return [QgsProcessingOutputHtml(f"{self.name}_PAGE", self.label)]
+        return [QgsProcessingOutputHtml(f"{self.name}_PAGE", translated(self.label))]
 
     def results(self, path: Path, writer: Any) -> dict[str, Any]:
         """Return the file, and on the desktop its page."""
@@ -239,7 +244,7 @@ class JsonDestination(ListedDestination):
 
     def page(self, path: Path) -> str:
         """Return the text of the file."""
-        return page_of_text(path, self.label)
+        return page_of_text(path, translated(self.label))
 
 
 @dataclass(frozen=True)
@@ -251,7 +256,7 @@ class TableDestination(ListedDestination):
 
     def page(self, path: Path) -> str:
         """Return the rows of the file as a table."""
-        return page_of_table(path, self.label)
+        return page_of_table(path, translated(self.label))
 
 
 @dataclass(frozen=True)
@@ -305,8 +310,8 @@ class HtmlDestination(FileDestination):
         return path
 
     def revise(self, path: Path, labels: Mapping[str, str]) -> None:
-        """Name the parameters by their labels."""
-        name_by_labels(path, labels)
+        """Translate the page, and name the parameters by their labels."""
+        revise_page(path, labels)
 
     def _definition(self) -> QgsProcessingParameterFileDestination:
         definition = super()._definition()
@@ -338,10 +343,11 @@ def check_outputs(outputs: dict[Destination, Path], sources: Iterable[str]) -> N
             raise InputError(f"{output.name} {path} is {other} as well; choose another name.")
 
 
-def name_by_labels(page: Path, labels: Mapping[str, str]) -> None:
-    """Write the labels of parameters into a page in place of their names."""
+def revise_page(page: Path, labels: Mapping[str, str]) -> None:
+    """Translate a page, and write the labels of parameters into it in place of their names."""
     escaped = {name: html.escape(label) for name, label in labels.items()}
-    page.write_text(with_labels(page.read_text(encoding="utf-8"), escaped), encoding="utf-8")
+    text = translated_page(page.read_text(encoding="utf-8"))
+    page.write_text(with_labels(text, escaped), encoding="utf-8")
 
 
 def is_writable(folder: Path) -> bool:

@@ -14,7 +14,8 @@ from qgis.core import (
 )
 
 from ...algorithms.errors import InputError
-from .destinations import Destination, FolderWriters, HtmlDestination, Writer, is_writable, name_by_labels
+from ..language import translated
+from .destinations import Destination, FolderWriters, HtmlDestination, Writer, is_writable, revise_page
 
 
 @dataclass(frozen=True)
@@ -47,13 +48,13 @@ class FolderDestination(Destination):
         return {path / name: write for name, write in writer.items()}
 
     def revise(self, path: Path, labels: Mapping[str, str]) -> None:
-        """Name the parameters by their labels in pages."""
+        """Translate pages, and name the parameters in them by their labels."""
         if path.suffix in HtmlDestination.extensions:
-            name_by_labels(path, labels)
+            revise_page(path, labels)
 
     def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
         """Return the definition of the list of files."""
-        return [QgsProcessingOutputMultipleLayers(self.listing, f"{self.label}, one by one")]
+        return [QgsProcessingOutputMultipleLayers(self.listing, translated(f"{self.label}, one by one"))]
 
     def results(self, path: Path, writer: FolderWriters) -> dict[str, Any]:
         """Return the folder and the list of its new files."""

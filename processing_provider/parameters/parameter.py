@@ -27,6 +27,7 @@ from qgis.core import (
 )
 
 from ...algorithms.errors import InputError
+from ..language import translated
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,8 @@ class Parameter(ABC):
     def definition(self) -> QgsProcessingParameterDefinition:
         """Return a new definition, which QGIS will own."""
         definition = self._definition()
-        definition.setHelp(self.explanation)
+        definition.setDescription(translated(self.description))
+        definition.setHelp(translated(self.explanation))
         return definition
 
     @abstractmethod
@@ -143,8 +145,13 @@ class Choice(Parameter):
     optional: bool = False
 
     @property
+    def names(self) -> list[str]:
+        """The options as the dialog shows them."""
+        return [translated(option) for option in self.options]
+
+    @property
     def explanation(self) -> str:
-        numbered = "; ".join(f"{number} {option}" for number, option in enumerate(self.options))
+        numbered = "; ".join(f"{number} {option}" for number, option in enumerate(self.names))
         return f"{self.help} {numbered}. Default 0."
 
     def _definition(self) -> QgsProcessingParameterEnum:
@@ -152,7 +159,7 @@ class Choice(Parameter):
         return QgsProcessingParameterEnum(
             self.name,
             self.description,
-            list(self.options),
+            self.names,
             allowMultiple=False,
             defaultValue=0,
             optional=self.optional,
@@ -165,7 +172,7 @@ class Choice(Parameter):
         text = algorithm.parameterAsString(parameters, self.name, context).strip()
         numbers = {str(number): number for number in range(len(self.options))}
         if text and text not in numbers:
-            choices = " or ".join(f"{number} ({option})" for number, option in enumerate(self.options))
+            choices = " or ".join(f"{number} ({option})" for number, option in enumerate(self.names))
             raise InputError(f"{self.name} must be {choices}, not {text}.")
         return numbers.get(text, 0)
 

@@ -19,6 +19,8 @@ from qgis.gui import (
 )
 from qgis.PyQt.QtWidgets import QFileDialog, QHBoxLayout, QLineEdit, QToolButton, QWidget
 
+from ..language import translated
+
 LAST_FOLDER = "/Processing/LastInputPath"
 """Where QGIS keeps the folder of the last input."""
 
@@ -31,7 +33,7 @@ class FileList:
         self._chosen: list[str] = []
         self._text = QLineEdit()
         self._text.setReadOnly(True)
-        self._text.setPlaceholderText("No files chosen")
+        self._text.setPlaceholderText(translated("No files chosen"))
 
     def widget(self) -> QWidget:
         return _with_button(self._text, self._choose)
@@ -44,7 +46,7 @@ class FileList:
         self._chosen = [item if isinstance(item, str) else item.source() for item in listed]
         names = [Path(item.partition("|")[0]).name for item in self._chosen]
         count = "1 file" if len(names) == 1 else f"{len(names)} files"
-        self._text.setText(f"{count}: {', '.join(names)}" if names else "")
+        self._text.setText(f"{translated(count)}: {', '.join(names)}" if names else "")
         self._text.setToolTip("\n".join(self._chosen))
         self._changed()
 

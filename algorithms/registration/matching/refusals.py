@@ -39,8 +39,8 @@ def _few_targets(task: MatchingTask) -> Optional[Refusal]:
         return None
     return Refusal(
         "too few",
-        f"{task.scan.name} has {count} target{'s' * (count != 1)}, but {_described(task.settings.model)} "
-        f"needs at least {least}; pick more targets.",
+        f"{task.scan.name} has {count} {'target' if count == 1 else 'targets'}, but "
+        f"{_described(task.settings.model)} needs at least {least}; pick more targets.",
     )
 
 

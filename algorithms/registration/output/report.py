@@ -25,7 +25,8 @@ MODELS = {
 MOST_RIVALS = 12
 """Solutions that are listed of a scan that has several."""
 
-ALPHA_SIGN, DELTA = "\N{GREEK SMALL LETTER ALPHA}", "\N{GREEK SMALL LETTER DELTA}"
+ALPHA_SIGN = "\N{GREEK SMALL LETTER ALPHA}"
+NONCENTRALITY_SIGN = "\N{GREEK SMALL LETTER DELTA}\N{SUBSCRIPT ZERO}"
 
 
 def write_report(registration: Registration, path: Path) -> None:
@@ -76,7 +77,7 @@ def _legend(tests: OutlierTestSettings) -> dict[str, str]:
         TAU: "Pope's studentized residual, by the a posteriori standard deviation of the scan; its limit "
         f"({ALPHA_SIGN} = {tests.significance:g}) depends on the redundancy.",
         "MDB": "Minimal detectable bias: the smallest error of a coordinate that the w-test finds with a "
-        f"power of {100 * tests.power:g} % ({DELTA}0 = {tests.noncentrality:.2f}).",
+        f"power of {100 * tests.power:g} % ({NONCENTRALITY_SIGN} = {tests.noncentrality:.2f}).",
         "95 % ellipse, ellipsoid": f"Semi-axes are {PLANE_FACTOR:.3f} (plane) and {SPACE_FACTOR:.3f} (space) "
         "standard deviations.",
         "Accidental matches": "How many are expected of as many targets, if the scan had nothing to do with "

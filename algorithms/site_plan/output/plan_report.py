@@ -223,7 +223,7 @@ def _wall_rows(plan: SitePlan) -> list[tuple[str, ...]]:
             *(number(getattr(wall, field, None), 2) for field in fields),
             number(wall.azimuth, 1),
             number(wall.outline.area, 2),
-            str(wall.votes),
+            number(wall.votes, 0),
         )
         for wall in plan.walls[:MOST_ROWS]
     ]

@@ -48,7 +48,7 @@ def test_a_single_length_has_no_standard_deviation():
 def test_what_the_schedule_does_not_have_is_named():
     found = compare(("1", "width", 1.2), ("9", "width", 3.0), ("2", "sill", 1.0))
 
-    assert found.warnings == ("schedule.csv has no width of 9, no sill of 2.",)
+    assert found.warnings == ("schedule.csv has no width of 9, sill of 2.",)
 
 
 def test_without_a_common_length_there_is_nothing_to_compare():

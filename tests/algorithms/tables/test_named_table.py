@@ -52,7 +52,7 @@ def test_units_are_those_of_the_header_or_of_a_line_below_it(table):
     ("content", "problem"),
     [
         ("id,height\n1,2\n", "has no column width; add or rename it"),
-        ("", "has no column id and no column width"),
+        ("", "has no column id, width"),
         ("id,width\n1,0,9\n", "Line 2 of .* has 3 fields where the header names 2 columns"),
         ("id,width\n1\n", "Line 2 of .* has 1 fields where the header names 2 columns"),
         ("id;width;height\n1;0,9;1.2\n", "commas .* can be decimal signs or separators"),

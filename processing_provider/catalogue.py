@@ -1,0 +1,122 @@
+"""Translation of finished sentences.
+
+A text is matched to the pattern that it was made of. What was filled in is translated likewise, and fills the
+pattern of the other language. A text without a pattern is divided into parts that may have one.
+"""
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
+from typing import NamedTuple
+
+HOLE = re.compile(r"%(\d{1,2})")
+"""Stands in a pattern for what is filled in, as in Qt."""
+
+WORD = re.compile(r"[^\W\d_]+")
+
+SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
+"""Where a text without a pattern of its own is divided into texts that may have one."""
+
+EDGES = re.compile(r"([\s()]*)(.*?)([\s()]*)", re.DOTALL)
+"""What stands before and after a text."""
+
+MOST_SENTENCES = 12
+"""A longer text is divided after all its sentences, and not where most of it is known."""
+
+
+class Translation(NamedTuple):
+    """A text in the other language, and how many letters of the English one were known."""
+
+    text: str
+    known: int
+
+
+class Catalogue:
+    """Texts and their translations.
+
+    Parameters
+    ----------
+    translations : dict of str to str
+        By their English; both with %1, %2 ... in place of what is filled in.
+    """
+
+    def __init__(self, translations: Mapping[str, str]) -> None:
+        self._translations = translations
+        self._patterns = _indexed(source for source in translations if HOLE.search(source))
+        self._cached = lru_cache(maxsize=100_000)(self._translation)
+
+    def translate(self, text: str) -> str:
+        """Return a text in the other language, as far as it is known; the rest remains as it is."""
+        return self._cached(text).text
+
+    def _translation(self, text: str) -> Translation:
+        if not WORD.search(text):
+            return Translation(text, 0)
+        if text in self._translations and not HOLE.search(text):
+            return Translation(self._translations[text], len(text))
+        options = [Translation(text, 0), *self._filled(text), *self._divided(text)]
+        return max(options, key=lambda option: option.known)
+
+    def _filled(self, text: str) -> Iterator[Translation]:
+        """Yield translations by the patterns that fit the whole text."""
+        for word in {*WORD.findall(text)}:
+            for pattern in self._patterns.get(word, ()):
+                match = pattern.regex.fullmatch(text)
+                if match:
+                    parts = [self._cached(part) for part in match.groups()]
+                    filled = HOLE.sub(
+                        lambda hole, parts=parts: parts[int(hole[1]) - 1].text,
+                        self._translations[pattern.source],
+                    )
+                    yield Translation(filled, pattern.known + sum(part.known for part in parts))
+
+    def _divided(self, text: str) -> Iterator[Translation]:
+        """Yield translations of the text in parts."""
+        before, inner, after = EDGES.fullmatch(text).groups()
+        if inner != text:
+            found = self._cached(inner)
+            yield Translation(before + found.text + after, found.known)
+            return
+        places = [found.end() - 1 for found in re.finditer(re.escape(SENTENCES), text)]
+        if 0 < len(places) <= MOST_SENTENCES:
+            for place in places:
+                yield _joined([self._cached(text[:place]), self._cached(text[place + 1 :])], " ")
+        elif places:
+            yield self._apart(text, SENTENCES)
+        for divider in CLAUSES:
+            if divider in text:
+                yield self._apart(text, divider)
+
+    def _apart(self, text: str, divider: str) -> Translation:
+        """Return the translation of a text that is divided wherever `divider` stands."""
+        return _joined([self._cached(part) for part in text.split(divider)], divider)
+
+
+class _Pattern(NamedTuple):
+    source: str
+    regex: "re.Pattern[str]"
+    known: int
+
+
+def _joined(parts: Iterable[Translation], divider: str) -> Translation:
+    parts = list(parts)
+    return Translation(divider.join(part.text for part in parts), sum(part.known for part in parts))
+
+
+def _indexed(sources: Iterable[str]) -> dict[str, list[_Pattern]]:
+    """Return the patterns by the one of their words that the fewest other patterns have."""
+    words = {source: {*WORD.findall(HOLE.sub("%", source))} for source in sources}
+    counts = Counter(word for found in words.values() for word in found)
+    patterns = defaultdict(list)
+    for source, found in words.items():
+        rarest = min(found, key=lambda word: (counts[word], -len(word), word))
+        patterns[rarest].append(_pattern(source))
+    return patterns
+
+
+def _pattern(source: str) -> _Pattern:
+    """Return a pattern whose holes match anything."""
+    literals = HOLE.split(source)[::2]
+    regex = "(.*?)".join(map(re.escape, literals))
+    return _Pattern(source, re.compile(regex, re.DOTALL), len("".join(literals)))

@@ -1,0 +1,62 @@
+"""Finished sentences are translated by the patterns that they were made of."""
+
+import pytest
+from ichnograph.processing_provider.catalogue import Catalogue
+
+CATALOGUE = Catalogue(
+    {
+        "%1 has %2 targets; pick more.": "%1 hat %2 Zielmarken; mehr messen.",
+        "%1 is not registered (%2): %3": "%1 ist nicht registriert (%2): %3",
+        "Rooms: %1, %2 m².": "Räume: %1, %2 m².",
+        "%2 of %1": "unused",
+        "%1 m in %2": "%1 m in %2",
+        "of %1, %2 were read": "%2 wurden von %1 gelesen",
+        "Point spacing": "Punktabstand",
+        "standard deviations": "Standardabweichungen",
+        "too few": "zu wenige",
+        "surveyed": "eingemessen",
+        "It ends early.": "Sie endet vorzeitig.",
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("english", "german"),
+    [
+        ("too few", "zu wenige"),
+        ("Rooms: 4, 61.20 m².", "Räume: 4, 61.20 m²."),
+        ("of a.laz, 3 were read", "3 wurden von a.laz gelesen"),
+    ],
+)
+def test_a_text_is_translated_by_its_pattern_and_keeps_names_and_numbers(english, german):
+    assert CATALOGUE.translate(english) == german
+
+
+def test_what_is_filled_in_is_translated_likewise():
+    english = "S1 is not registered (too few): S1 has 2 targets; pick more."
+    assert (
+        CATALOGUE.translate(english)
+        == "S1 ist nicht registriert (zu wenige): S1 hat 2 Zielmarken; mehr messen."
+    )
+
+
+def test_sentences_in_a_row_are_translated_one_by_one():
+    english = "It ends early. S1 has 2 targets; pick more. It ends early."
+    german = "Sie endet vorzeitig. S1 hat 2 Zielmarken; mehr messen. Sie endet vorzeitig."
+    assert CATALOGUE.translate(english) == german
+
+
+def test_parts_without_a_common_pattern_are_translated_by_themselves():
+    assert CATALOGUE.translate("Point spacing (standard deviations)") == "Punktabstand (Standardabweichungen)"
+    assert CATALOGUE.translate("surveyed, too few") == "eingemessen, zu wenige"
+
+
+def test_the_pattern_that_knows_most_of_a_text_is_taken():
+    # "%1 m in %2" fits as well.
+    english = "3 m in S1 is not registered (too few): no"
+    assert CATALOGUE.translate(english).startswith("3 m in S1 ist nicht registriert")
+
+
+@pytest.mark.parametrize("text", ["", "12.5", "/data/too few.laz", "Something else entirely.", "100 %1"])
+def test_a_text_without_a_pattern_remains_as_it_is(text):
+    assert CATALOGUE.translate(text) == text
