@@ -18,7 +18,7 @@ WORD = re.compile(r"[^\W\d_]+")
 SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
 """Where a text without a pattern of its own is divided into texts that may have one."""
 
-EDGES = re.compile(r"([\s()]*)(.*?)([\s()]*)", re.DOTALL)
+EDGES = re.compile(r"([\W\d_]*)(.*?)([\W\d_]*)", re.DOTALL)
 """What stands before and after a text."""
 
 MOST_SENTENCES = 12
@@ -55,7 +55,8 @@ class Catalogue:
             return Translation(text, 0)
         if text in self._translations and not HOLE.search(text):
             return Translation(self._translations[text], len(text))
-        options = [Translation(text, 0), *self._filled(text), *self._divided(text)]
+        # Of equals the first: the parts of a list, before a pattern that fits its ends.
+        options = [Translation(text, 0), *self._divided(text), *self._filled(text)]
         return max(options, key=lambda option: option.known)
 
     def _filled(self, text: str) -> Iterator[Translation]:
@@ -77,7 +78,6 @@ class Catalogue:
         if inner != text:
             found = self._cached(inner)
             yield Translation(before + found.text + after, found.known)
-            return
         places = [found.end() - 1 for found in re.finditer(re.escape(SENTENCES), text)]
         if 0 < len(places) <= MOST_SENTENCES:
             for place in places:

@@ -2507,7 +2507,7 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
-        <source>control</source>
+        <source>control point</source>
         <translation>Passpunkt</translation>
     </message>
     <message>

@@ -10,6 +10,7 @@ CATALOGUE = Catalogue(
         "Rooms: %1, %2 m².": "Räume: %1, %2 m².",
         "%2 of %1": "unused",
         "%1 m in %2": "%1 m in %2",
+        "%1 by the %2": "%1 am „%2“",
         "of %1, %2 were read": "%2 wurden von %1 gelesen",
         "Point spacing": "Punktabstand",
         "standard deviations": "Standardabweichungen",
@@ -48,7 +49,11 @@ def test_sentences_in_a_row_are_translated_one_by_one():
 
 def test_parts_without_a_common_pattern_are_translated_by_themselves():
     assert CATALOGUE.translate("Point spacing (standard deviations)") == "Punktabstand (Standardabweichungen)"
-    assert CATALOGUE.translate("surveyed, too few") == "eingemessen, zu wenige"
+    assert CATALOGUE.translate("2 surveyed (too few)") == "2 eingemessen (zu wenige)"
+
+
+def test_a_list_is_translated_item_by_item():
+    assert CATALOGUE.translate("3 by the size, 2 by the shape") == "3 am „size“, 2 am „shape“"
 
 
 def test_the_pattern_that_knows_most_of_a_text_is_taken():
