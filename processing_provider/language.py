@@ -49,7 +49,9 @@ def translated_page(page: str) -> str:
 
 def language() -> str:
     """Return the language that QGIS shows, as two letters."""
-    return str(QgsApplication.locale())[:2].lower()
+    # The desktop knows its language, which --lang may have chosen; headless, the settings and the system say it.
+    chosen = QgsApplication.instance().translation() or QgsApplication.locale()
+    return str(chosen)[:2].lower()
 
 
 @cache

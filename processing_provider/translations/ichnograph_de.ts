@@ -2349,7 +2349,7 @@
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>nothing is redundant, so nothing is checked.</source>
-        <translation>nichts ist redundant, daher wird nichts geprüft.</translation>
+        <translation>Nichts ist redundant, daher wird nichts geprüft.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -2359,17 +2359,17 @@
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>the residuals are larger than the a priori standard deviations allow %1.</source>
-        <translation>die Restklaffungen sind größer, als die Standardabweichungen a priori erlauben %1.</translation>
+        <translation>Die Restklaffungen sind größer, als die Standardabweichungen a priori erlauben %1.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>the residuals are smaller than the a priori standard deviations suggest %1.</source>
-        <translation>die Restklaffungen sind kleiner, als die Standardabweichungen a priori erwarten lassen %1.</translation>
+        <translation>Die Restklaffungen sind kleiner, als die Standardabweichungen a priori erwarten lassen %1.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>the residuals agree with the a priori standard deviations %1.</source>
-        <translation>die Restklaffungen stimmen mit den Standardabweichungen a priori überein %1.</translation>
+        <translation>Die Restklaffungen stimmen mit den Standardabweichungen a priori überein %1.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -2556,7 +2556,7 @@
     <message>
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
         <source>probability</source>
-        <translation>Wahrscheinlichkeit</translation>
+        <translation>Wahrschein­lichkeit</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
