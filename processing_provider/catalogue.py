@@ -8,7 +8,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Callable, NamedTuple
 
 HOLE = re.compile(r"%(\d{1,2})")
 """Stands in a pattern for what is filled in, as in Qt."""
@@ -18,7 +18,7 @@ WORD = re.compile(r"[^\W\d_]+")
 SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
 """Where a text without a pattern of its own is divided into texts that may have one."""
 
-EDGES = re.compile(r"([\W\d_]*)(.*?)([\W\d_]*)", re.DOTALL)
+EDGES = re.compile(r"^[\W\d_]+|[\W\d_]+$")
 """What stands before and after a text."""
 
 MOST_SENTENCES = 12
@@ -66,16 +66,15 @@ class Catalogue:
                 match = pattern.regex.fullmatch(text)
                 if match:
                     parts = [self._cached(part) for part in match.groups()]
-                    filled = HOLE.sub(
-                        lambda hole, parts=parts: parts[int(hole[1]) - 1].text,
-                        self._translations[pattern.source],
-                    )
+                    text_of = _filling(part.text for part in parts)
+                    filled = HOLE.sub(text_of, self._translations[pattern.source])
                     yield Translation(filled, pattern.known + sum(part.known for part in parts))
 
     def _divided(self, text: str) -> Iterator[Translation]:
         """Yield translations of the text in parts."""
-        before, inner, after = EDGES.fullmatch(text).groups()
+        inner = EDGES.sub("", text)
         if inner != text:
+            before, _, after = text.partition(inner)
             found = self._cached(inner)
             yield Translation(before + found.text + after, found.known)
         places = [found.end() - 1 for found in re.finditer(re.escape(SENTENCES), text)]
@@ -97,6 +96,12 @@ class _Pattern(NamedTuple):
     source: str
     regex: "re.Pattern[str]"
     known: int
+
+
+def _filling(texts: Iterable[str]) -> Callable[["re.Match[str]"], str]:
+    """Return what gives the text of a hole."""
+    numbered = dict(enumerate(texts, start=1))
+    return lambda hole: numbered[int(hole[1])]
 
 
 def _joined(parts: Iterable[Translation], divider: str) -> Translation:

@@ -49,7 +49,7 @@ def translated_page(page: str) -> str:
 
 def language() -> str:
     """Return the language that QGIS shows, as two letters."""
-    # The desktop knows its language, which --lang may have chosen; headless, the settings and the system say it.
+    # The desktop knows it, which --lang may have chosen; headless, the settings or the system say it.
     chosen = QgsApplication.instance().translation() or QgsApplication.locale()
     return str(chosen)[:2].lower()
 

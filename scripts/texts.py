@@ -252,7 +252,7 @@ def _parts(node: nodes.Node) -> Iterator[Any]:
             yield from _parts(part)
     else:
         yield "<block>"
-        for part in node.iter_child_nodes():
-            if not isinstance(part, nodes.Expr):
-                yield from _parts(part)
+        for child in node.iter_child_nodes():
+            if not isinstance(child, nodes.Expr):
+                yield from _parts(child)
         yield "<block>"
