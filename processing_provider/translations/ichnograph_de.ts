@@ -159,9 +159,31 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>its parts contradict each other</source>
+        <translation>ihre Teile widersprechen sich</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
         <source>%1 is truncated or damaged (%2); copy or export it again.</source>
         <translation>%1 ist abgeschnitten oder beschädigt (%2); erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <location filename="../../algorithms/facade/points.py"/>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>Some scans of %1 have no %2, which counts as 0 there; export all scans alike.</source>
+        <translation>Einigen Scans von %1 fehlt: %2; dort zählt es als 0. Alle Scans gleich exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>%1 has angles of up to %2, though E57 prescribes radians; export it again with Cartesian coordinates.</source>
+        <translation>%1 hat Winkel bis %2, obwohl E57 Bogenmaß vorschreibt; mit kartesischen Koordinaten erneut exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57_scan.py"/>
@@ -343,8 +365,20 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 gives coordinates in %2; they were converted to metres.</source>
+        <translation>%1 enthält Koordinaten in %2; sie wurden in Meter umgerechnet.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>sie kündigt %1 Punkte an und hat %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <source>%1 has a property %2 with decimals where its header announces whole numbers; export it again.</source>
+        <translation>%1 hat eine Eigenschaft %2 mit Nachkommastellen, wo der Dateikopf ganze Zahlen ankündigt; erneut exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
@@ -408,6 +442,26 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>intensity or colour</source>
+        <translation>Intensität oder Farbe</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>is 0 there</source>
+        <translation>dort 0</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>is left out there</source>
+        <translation>dort ausgelassen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>Scans of %1 have unlike columns, %2 in the first and %3 in others, so %4 %5; export all scans alike.</source>
+        <translation>Scans von %1 haben ungleiche Spalten, %2 im ersten und %3 in anderen; daher ist %4 %5. Alle Scans gleich exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>a scan announces %1 cells and has %2</source>
         <translation>ein Scan kündigt %1 Zellen an und hat %2</translation>
     </message>
@@ -458,6 +512,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>The first column of %1 can be x, or the number or time of a point; name the columns in a first line, as &#x27;x y z intensity&#x27; or &#x27;time x y z&#x27;.</source>
+        <translation>Die erste Spalte von %1 kann x oder die Nummer oder Zeit eines Punktes sein; die Spalten in einer ersten Zeile benennen: &#x27;x y z intensity&#x27; oder &#x27;time x y z&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>%1 has fewer than three columns of numbers; export it as x y z.</source>
         <translation>%1 hat weniger als drei Spalten mit Zahlen; als x y z exportieren.</translation>
     </message>
@@ -470,12 +529,6 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The columns of %1 after x y z have no names and were left out.</source>
         <translation>Die Spalten von %1 nach x y z haben keine Namen und wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <location filename="../../algorithms/registration/lists/point_text.py"/>
-        <source>%1 gives coordinates in %2; they were converted to metres.</source>
-        <translation>%1 enthält Koordinaten in %2; sie wurden in Meter umgerechnet.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -770,6 +823,11 @@
         <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 has no lengths; name its columns id, width, height and sill, or id, dimension and length.</source>
         <translation>%1 enthält keine Längen; die Spalten id, width, height und sill oder id, dimension und length nennen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
+        <translation>Zeile %1 von %2: Das Maß „%3“ von %4 ist doppelt aufgeführt; einen Eintrag entfernen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
@@ -1122,8 +1180,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/buildings/choice.py"/>
-        <source>No facade was found, so leave FACADE 0 and FACADE_NEAR empty.</source>
-        <translation>Es wurde keine Fassade gefunden; FACADE 0 und FACADE_NEAR leer lassen.</translation>
+        <source>No facade was found, so leave FACADE 0, and FACADE_NEAR and FACADE_ALONG empty.</source>
+        <translation>Es wurde keine Fassade gefunden; FACADE auf 0 und FACADE_NEAR und FACADE_ALONG leer lassen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/buildings/choice.py"/>
@@ -1134,6 +1192,31 @@
         <location filename="../../algorithms/facade/buildings/choice.py"/>
         <source>FACADE is %1, but the cloud has %2 facades; choose one from 1 to %3 in the report, or 0.</source>
         <translation>FACADE ist %1, aber die Punktwolke hat %2 Fassaden; eine von 1 bis %3 aus dem Bericht wählen, oder 0.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/buildings/choice.py"/>
+        <source>FACADE_ALONG has a line or a polygon without a facade within %1 m; give it in the coordinates of the site, along the outside of the walls.</source>
+        <translation>FACADE_ALONG enthält eine Linie oder ein Polygon ohne Fassade innerhalb von %1 m; in den Koordinaten des Objekts angeben, entlang der Außenseite der Wände.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>as narrow as a joint</source>
+        <translation>so schmal wie eine Fuge</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>its colour changes gradually, as that of a stain or of lamplight does</source>
+        <translation>die Farbe ändert sich allmählich, wie bei einem Fleck oder Lampenlicht</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>its colour differs no more than the wall&#x27;s own colours do</source>
+        <translation>die Farbe weicht nicht stärker ab als die Farben der Wand untereinander</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>the intensity shows no edge, as that of a shadow does not</source>
+        <translation>die Intensität zeigt keine Kante, wie bei einem Schatten</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
@@ -1198,6 +1281,7 @@
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <location filename="../../algorithms/facade/openings/content.py"/>
+        <location filename="../../algorithms/facade/openings/niches.py"/>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <source>bottom</source>
@@ -1206,10 +1290,46 @@
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <location filename="../../algorithms/facade/openings/content.py"/>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>top</source>
         <translation>oben</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1:</source>
+        <translation>Fassade %1:</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1 is not drawn: %2</source>
+        <translation>Fassade %1 wird nicht gezeichnet: %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1: %2</source>
+        <translation>Fassade %1: %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>fewer than three straight sides were seen, as of damage or a shadow</source>
+        <translation>weniger als drei gerade Seiten wurden gesehen, wie bei einem Schaden oder Schatten</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>no straight sides, as of a stain</source>
+        <translation>keine geraden Seiten, wie bei einem Fleck</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>parallel to the wall, but not a part of it</source>
+        <translation>parallel zur Wand, aber kein Teil von ihr</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
@@ -1287,6 +1407,11 @@
         <translation>Durchgang</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/openings/niches.py"/>
+        <source>niche</source>
+        <translation>Nische</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/outlines/heads.py"/>
         <source>flat</source>
         <translation>waagrecht</translation>
@@ -1349,8 +1474,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
-        <source>FACADE takes a number of this table, FACADE_NEAR a point near a facade.</source>
-        <translation>FACADE ist eine Nummer dieser Tabelle, FACADE_NEAR ein Punkt nahe einer Fassade.</translation>
+        <source>FACADE takes a number of this table, FACADE_NEAR a point near a facade, FACADE_ALONG a line along it; ALL draws every one.</source>
+        <translation>FACADE ist eine Nummer dieser Tabelle, FACADE_NEAR ein Punkt nahe einer Fassade, FACADE_ALONG eine Linie entlang einer Fassade; ALL zeichnet alle.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1364,8 +1489,19 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
-        <source>Sizes in brackets have an edge that was not seen.</source>
-        <translation>Maße in Klammern haben eine Kante, die nicht gesehen wurde.</translation>
+        <source>Sizes in brackets have an edge that was not seen. Completed edges are where the openings of the same row have theirs.</source>
+        <translation>Maße in Klammern haben eine Kante, die nicht gesehen wurde. Ergänzte Kanten liegen dort, wo die Öffnungen derselben Reihe ihre haben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/algorithms/facade_details.py"/>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <source>LEFT_OUT is a layer of them.</source>
+        <translation>LEFT_OUT ist ein Layer davon.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1471,6 +1607,23 @@
         <translation>Gemessene Kanten</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <source>Completed</source>
+        <translation>Ergänzt</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>ceilings, or the area seen on each side, show where the open air is; the points close to the wall do not show its front</source>
         <translation>Decken oder die auf jeder Seite gesehene Fläche zeigen, wo draußen ist; die Punkte nahe der Wand zeigen nicht, wo vorne ist</translation>
@@ -1529,11 +1682,6 @@
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>most points far from the wall are there (%1, %2 on the other side); its holes do not show which side is the front</source>
         <translation>dort liegen die meisten von der Wand entfernten Punkte (%1, auf der anderen Seite %2); ihre Öffnungen zeigen nicht, wo vorne ist</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/points.py"/>
-        <source>colour</source>
-        <translation>Farbe</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>
@@ -1631,6 +1779,11 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>not those of a map</source>
+        <translation>nicht die einer Karte</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>in %1</source>
         <translation>in %1</translation>
     </message>
@@ -1649,6 +1802,11 @@
         <location filename="../../processing_provider/fields.py"/>
         <source>surveyed</source>
         <translation>eingemessen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/adjustment/evaluation.py"/>
+        <source>The residuals of %1 are %2 times as large as the standard deviations of its targets and of the control points suggest (chi-square probability %3); look for wrong targets, or set CONTROL_SIGMA to how accurately the points were surveyed.</source>
+        <translation>Die Restklaffungen von %1 sind %2-mal so groß, wie die Standardabweichungen seiner Zielmarken und der Passpunkte erwarten lassen (Chi-Quadrat-Wahrscheinlichkeit %3); nach falschen Zielmarken suchen oder CONTROL_SIGMA auf die Genauigkeit setzen, mit der die Punkte eingemessen wurden.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/adjustment/evaluation.py"/>
@@ -1704,6 +1862,11 @@
         <location filename="../../algorithms/registration/adjustment/scale_test.py"/>
         <source>%1 grid coordinates that are not reduced for the projection; %2.</source>
         <translation>%1 nicht wegen der Abbildung reduzierte Gitterkoordinaten; %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>%1 has no table (.dbf) beside it, so its points have no names; copy all its parts.</source>
+        <translation>Neben %1 fehlt die Tabelle (.dbf), daher haben die Punkte keine Namen; alle Teile kopieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
@@ -1765,8 +1928,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
-        <source>Z is 0 everywhere in %1, so the heights are those of its field %2.</source>
-        <translation>Z ist in %1 überall 0; daher gelten die Höhen des Feldes %2.</translation>
+        <source>Z is %1 everywhere in %2, so the heights are those of its field %3.</source>
+        <translation>Z ist in %2 überall %1; daher gelten die Höhen des Feldes %3.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>Z is %1 at %2 points of %3, though its field %4 holds heights of some of them; correct Z, or fill in the field.</source>
+        <translation>Z ist bei %2 Punkten von %3 %1, obwohl das Feld %4 für einige davon Höhen enthält; Z berichtigen oder das Feld ausfüllen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>0 or no height</source>
+        <translation>0 oder ohne Höhe</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
@@ -1845,8 +2018,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>, and their standard deviations,</source>
+        <translation>, und ihre Standardabweichungen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>Only %1 of %2 were read; its further columns were left out.</source>
         <translation>Nur %1 von %2 wurden gelesen; die weiteren Spalten wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are points.</source>
+        <translation>%1 Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden ausgelassen; sind es Punkte, das Zeichen davor entfernen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
@@ -1861,6 +2044,7 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
+        <location filename="../../algorithms/registration/output/transforms.py"/>
         <location filename="../../algorithms/reporting/maps.py"/>
         <source>units</source>
         <translation>Einheiten</translation>
@@ -2615,6 +2799,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/transforms.py"/>
+        <source>%1 gives matrices in %2; write shifts in metres.</source>
+        <translation>%1 enthält Matrizen in %2; Verschiebungen in Metern schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/transforms.py"/>
         <source>Scan number %1 in %2 has no name; give it the name of its cloud.</source>
         <translation>Scan Nummer %1 in %2 hat keinen Namen; ihm den Namen seiner Punktwolke geben.</translation>
     </message>
@@ -3027,6 +3216,31 @@
         <translation>Herbig, Mayer, Mortada und Rasztovits 2013, Kapitel 5: Ergebnisse und Simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it cannot be read: %1</source>
+        <translation>sie kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it is cut off</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>its table is cut off</source>
+        <translation>ihre Tabelle ist abgeschnitten</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it has %1 shapes, and its table %2 rows</source>
+        <translation>sie hat %1 Objekte und ihre Tabelle %2 Zeilen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>%1 is damaged (%2); copy or export it again, with all its parts.</source>
+        <translation>%1 ist beschädigt (%2); mit allen Teilen erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/site_plan/axes/axes.py"/>
         <source>Finding axes</source>
         <translation>Achsen werden gesucht</translation>
@@ -3113,6 +3327,16 @@
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>INPUT %1: pixels must be square and north up; resample it with the Warp tool.</source>
         <translation>INPUT %1: Pixel müssen quadratisch und eingenordet sein; mit „Transformieren (Reprojizieren)“ neu abtasten.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: has pixels of %2 m; give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1: hat Pixel von %2 m; die Ausgabe von &#x27;densityimage&#x27; angeben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: holds a picture, not densities; give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1: enthält ein Bild und keine Dichten; die Ausgabe von &#x27;densityimage&#x27; angeben.</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/grid.py"/>
@@ -3773,6 +3997,16 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/dialect.py"/>
+        <source>%1 holds no points because all lines with numbers begin with #, // or ;, as remarks do; remove these signs.</source>
+        <translation>%1 enthält keine Punkte, weil alle Zeilen mit Zahlen wie Kommentare mit #, // oder ; beginnen; diese Zeichen entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/dialect.py"/>
+        <source>%1 is XML, not a table of numbers; export it again as x y z.</source>
+        <translation>%1 ist XML und keine Zahlentabelle; erneut als x y z exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/dialect.py"/>
         <source>%1 holds no points because no line has three numbers separated by comma, semicolon, blank or tab; export it again as x y z.</source>
         <translation>%1 enthält keine Punkte, weil keine Zeile drei durch Komma, Semikolon, Leerzeichen oder Tabulator getrennte Zahlen hat; erneut als x y z exportieren.</translation>
     </message>
@@ -3823,6 +4057,21 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
+        <source>Line %1 of %2, below the names of the columns, is not a row of numbers; correct or remove that line.</source>
+        <translation>Zeile %1 von %2, unter den Namen der Spalten, besteht nicht aus Zahlen; diese Zeile berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>The header of %1 states the unit of some columns only; write it into the name of each column.</source>
+        <translation>Die Kopfzeile von %1 nennt nur bei einigen Spalten die Einheit; sie in den Namen jeder Spalte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>%1 has several columns called %2; rename those that are not wanted.</source>
+        <translation>%1 hat mehrere Spalten namens %2; die nicht gewünschten umbenennen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
         <source>%1 has geographic coordinates in degrees; reproject it to a projected coordinate reference system in metres.</source>
         <translation>%1 hat geographische Koordinaten in Grad; in ein projiziertes Koordinatenbezugssystem in Metern umprojizieren.</translation>
     </message>
@@ -3838,6 +4087,21 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/named_table.py"/>
+        <source>The number at the end of %1 is cut off; copy or export it again.</source>
+        <translation>Die Zahl am Ende von %1 ist abgeschnitten; erneut kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>The commas in %1 can be decimal signs or separators; separate the columns by semicolons, or write decimal points.</source>
+        <translation>Die Kommas in %1 können Dezimal- oder Trennzeichen sein; die Spalten durch Semikolons trennen oder Dezimalpunkte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are wanted.</source>
+        <translation>%1 Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden ausgelassen; werden sie gebraucht, das Zeichen davor entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
         <source>%1 has no column %2; add or rename it.</source>
         <translation>In %1 fehlt die Spalte %2; sie ergänzen oder umbenennen.</translation>
     </message>
@@ -3850,6 +4114,12 @@
         <location filename="../../algorithms/tables/units.py"/>
         <source>metres</source>
         <translation>Meter</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/units.py"/>
+        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
+        <source>degrees</source>
+        <translation>Grad</translation>
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
@@ -3876,11 +4146,6 @@
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
         <source>angle of incidence</source>
         <translation>Auftreffwinkel</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
-        <source>degrees</source>
-        <translation>Grad</translation>
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
@@ -4174,6 +4439,11 @@
         <location filename="../../algorithms/vector.py"/>
         <source>%1: cannot write this kind of layer; end the name in .shp or .gpkg.</source>
         <translation>%1: Diese Art von Layer kann nicht geschrieben werden; den Namen auf .shp oder .gpkg enden lassen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/vector.py"/>
+        <source>the disk is full</source>
+        <translation>das Laufwerk ist voll</translation>
     </message>
     <message>
         <location filename="../../algorithms/vector.py"/>
@@ -4556,6 +4826,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
+        <source>Polygons in u, v, with reason and area: holes of the wall, regions of another colour and surfaces that are not drawn.</source>
+        <translation>Polygone in u, v mit Grund und Fläche: Löcher der Wand, Regionen einer anderen Farbe und Flächen, die nicht gezeichnet sind.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/facade_details.py"/>
         <source>Report of the facade</source>
         <translation>Bericht über die Fassade</translation>
     </message>
@@ -4581,13 +4856,13 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Holes of the wall of %1 m² in all are left out, because too few straight sides of them were seen.</source>
-        <translation>Löcher der Wand von insgesamt %1 m² werden ausgelassen, weil zu wenige gerade Seiten davon gesehen wurden.</translation>
+        <source>Facades drawn into the folder: %1.</source>
+        <translation>In den Ordner gezeichnete Fassaden: %1.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>%1 regions of another colour are left out, because they have no straight sides; REGULARISE=no keeps them.</source>
-        <translation>%1 Regionen einer anderen Farbe werden ausgelassen, weil sie keine geraden Seiten haben; REGULARISE=no behält sie.</translation>
+        <source>Left out: %1 of kind %2, %3 m² in all: %4.</source>
+        <translation>Ausgelassen: %1 der Art %2, insgesamt %3 m²: %4.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -4596,8 +4871,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Details: %1; pixels of the orthoimage: %2 m.</source>
-        <translation>Details: %1; Pixel des Orthobilds: %2 m.</translation>
+        <source>Details: %1.</source>
+        <translation>Details: %1.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_planes.py"/>
@@ -4700,21 +4975,6 @@
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
         <source>No target was found; the log says which tests failed, and how near.</source>
         <translation>Es wurde keine Zielmarke gefunden; das Protokoll sagt, welche Kriterien nicht erfüllt waren und wie knapp.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>%1: %2 targets, %3 doubtful.</source>
-        <translation>%1: %2 Zielmarken, %3 zweifelhaft.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>The %1 target at %2 in %3</source>
-        <translation>Die Zielmarke (%1) bei %2 in %3</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>%1 is doubtful: %2.</source>
-        <translation>%1 ist zweifelhaft: %2.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
@@ -4867,8 +5127,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
-        <source>Targets picked in each scan are matched with surveyed control points by their distances, and the transformations of all scans are adjusted together. Targets that are not control points tie the scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, Mayer, Mortada and Rasztovits 2013).</source>
-        <translation>In jedem Scan gemessene Zielmarken werden über ihre Strecken eingemessenen Passpunkten zugeordnet, und die Transformationen aller Scans werden gemeinsam ausgeglichen. Zielmarken, die keine Passpunkte sind, verknüpfen die Scans untereinander. Ein Scan ohne eindeutige Lösung wird mit Angabe des Grundes abgelehnt (Herbig, Mayer, Mortada und Rasztovits 2013).</translation>
+        <source>Targets picked or found in each scan are matched with surveyed control points by their distances, and the transformations of all scans are adjusted together. Targets that are not control points tie the scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, Mayer, Mortada and Rasztovits 2013).</source>
+        <translation>In jedem Scan gemessene oder gefundene Zielmarken werden über ihre Strecken eingemessenen Passpunkten zugeordnet, und die Transformationen aller Scans werden gemeinsam ausgeglichen. Zielmarken, die keine Passpunkte sind, verknüpfen die Scans untereinander. Ein Scan ohne eindeutige Lösung wird mit Angabe des Grundes abgelehnt (Herbig, Mayer, Mortada und Rasztovits 2013).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -5324,11 +5584,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
-        <source>Reason</source>
-        <translation>Grund</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/fields.py"/>
         <source>Boundary of</source>
         <translation>Begrenzung von</translation>
     </message>
@@ -5349,11 +5604,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
-        <source>Number</source>
-        <translation>Nummer</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/fields.py"/>
         <source>Head</source>
         <translation>Sturzform</translation>
     </message>
@@ -5361,6 +5611,11 @@
         <location filename="../../processing_provider/fields.py"/>
         <source>Measured sides</source>
         <translation>Gemessene Seiten</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Completed sides</source>
+        <translation>Ergänzte Seiten</translation>
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
@@ -5594,6 +5849,41 @@
         <translation>Gesehen von</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>Targets found in %1 have no names; set MATCHING to distances, or choose a list.</source>
+        <translation>In %1 gefundene Zielmarken haben keine Namen; MATCHING auf Strecken setzen oder eine Liste wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>Searching %1 scans for targets, because they have no lists.</source>
+        <translation>%1 Scans werden nach Zielmarken durchsucht, weil sie keine Listen haben.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>No target was found in the scans; the log says which tests failed, and how near. Pick the targets, or try &#x27;Find targets in scans&#x27; with the size of the targets.</source>
+        <translation>In den Scans wurde keine Zielmarke gefunden; das Protokoll sagt, welche Kriterien nicht erfüllt waren und wie knapp. Die Zielmarken von Hand messen oder &#x27;Zielmarken in Scans finden&#x27; mit der Größe der Zielmarken versuchen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>TARGETS has a list and a scan called %1; remove one of them.</source>
+        <translation>TARGETS enthält eine Liste und einen Scan namens %1; eines davon entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>%1: %2 targets, %3 doubtful.</source>
+        <translation>%1: %2 Zielmarken, %3 zweifelhaft.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>The %1 target at %2 in %3</source>
+        <translation>Die Zielmarke (%1) bei %2 in %3</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>%1 is doubtful: %2.</source>
+        <translation>%1 ist zweifelhaft: %2.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/help.py"/>
         <source>Advanced parameters</source>
         <translation>Erweiterte Parameter</translation>
@@ -5656,8 +5946,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <source>Scans are registered by their targets, transformed to the control points, and drawn as a site plan.</source>
-        <translation>Scans werden über ihre Zielmarken registriert, auf die Passpunkte transformiert und als Grundriss gezeichnet.</translation>
+        <source>Targets are found in the scans, or read from lists. Scans are registered by them, transformed to the control points, and drawn as a site plan.</source>
+        <translation>Zielmarken werden in den Scans gefunden oder aus Listen gelesen. Damit werden die Scans registriert, auf die Passpunkte transformiert und als Grundriss gezeichnet.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
@@ -5673,8 +5963,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <source>Scans, named like their lists</source>
-        <translation>Scans, benannt wie ihre Listen</translation>
+        <source>Scans; a scan has the name of its list</source>
+        <translation>Scans; ein Scan heißt wie seine Liste</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
@@ -5683,9 +5973,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Targets, one list for each scan</source>
-        <translation>Zielmarken, eine Liste je Scan</translation>
+        <source>Targets, one list for each scan; found in scans without a list</source>
+        <translation>Zielmarken, eine Liste je Scan; in Scans ohne Liste werden sie gesucht</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -5919,16 +6208,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/destinations.py"/>
-        <source>%1, one by one</source>
-        <translation>%1, einzeln</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/destinations.py"/>
-        <source>%1 %2 cannot be written to; choose another folder.</source>
-        <translation>In %1 %2 kann nicht geschrieben werden; einen anderen Ordner wählen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/destinations.py"/>
         <source>an input</source>
         <translation>eine Eingabe</translation>
     </message>
@@ -5971,6 +6250,16 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.</source>
         <translation>Misst die diesem Punkt nächste Fassade, in den Koordinaten der Punktwolke; FACADE wird dann nicht beachtet.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Lines or walls along the facade</source>
+        <translation>Linien oder Wände entlang der Fassade</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Measures the facade along a line that is drawn near to it, or along a wall of a plan, for example of siteplan, in the coordinates of the cloud. Of several, selected features only if you choose so, the facade that the most runs along. A folder of every facade then has those along the lines: a polygon of a building chooses its facades among those of a street. FACADE and FACADE_NEAR choose among all.</source>
+        <translation>Misst die Fassade entlang einer nahe davor gezeichneten Linie oder entlang einer Wand eines Plans, zum Beispiel von siteplan, in den Koordinaten der Punktwolke. Bei mehreren, auf Wunsch nur gewählten Objekten die Fassade, an der die größte Länge verläuft. Ein Ordner aller Fassaden enthält dann die entlang der Linien: Das Polygon eines Gebäudes wählt dessen Fassaden unter denen einer Straße. FACADE und FACADE_NEAR wählen unter allen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6154,6 +6443,31 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Coloured details</source>
+        <translation>Farbige Details</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Which regions of another colour become details. Those with a clear step: they are regular, and their colour changes sharply along the border, which the intensity confirms if there is one; stains, joints, shadows and lamplight are left out, and LEFT_OUT shows them. All regions: the chain of the paper, together with REGULARISE off. None: faster.</source>
+        <translation>Welche Regionen einer anderen Farbe zu Details werden. Die mit klarem Sprung: Sie sind regelmäßig, und ihre Farbe ändert sich am Rand scharf, was die Intensität bestätigt, wenn es eine gibt; Flecken, Fugen, Schatten und Lampenlicht werden ausgelassen, und LEFT_OUT zeigt sie. Alle Regionen: die Kette des Artikels, zusammen mit ausgeschaltetem REGULARISE. Keine: schneller.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Those with a clear step</source>
+        <translation>Die mit klarem Sprung</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>All regions</source>
+        <translation>Alle Regionen</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Pixel size of the orthoimage</source>
         <translation>Pixelgröße des Orthobilds</translation>
     </message>
@@ -6171,6 +6485,16 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Pixels without points take the colour of the nearest pixel with points. If off, they are transparent.</source>
         <translation>Pixel ohne Punkte nehmen die Farbe des nächsten Pixels mit Punkten an. Ausgeschaltet sind sie durchsichtig.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade_files.py"/>
+        <source>Folder of every facade</source>
+        <translation>Ordner aller Fassaden</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade_files.py"/>
+        <source>Draws every facade of the cloud, or those along FACADE_ALONG, each into a folder of its own by its number: elevation, orthoimage, details in space, what is left out, report, and drawing if ezdxf is installed. One schedule lists the details of all. Takes as long for each facade as for one.</source>
+        <translation>Zeichnet jede Fassade der Punktwolke, oder die entlang FACADE_ALONG, in einen eigenen, nach ihrer Nummer benannten Ordner: Ansicht, Orthobild, Details im Raum, Ausgelassenes, Bericht und, wenn ezdxf installiert ist, Zeichnung. Eine Maßliste führt die Details aller auf. Braucht für jede Fassade so lange wie für eine.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/files.py"/>
@@ -6198,6 +6522,16 @@
         <translation>%1 ist leer; eine %2-Datei wählen.</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/parameters/folders.py"/>
+        <source>%1, one by one</source>
+        <translation>%1, einzeln</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/folders.py"/>
+        <source>%1 %2 cannot be written to; choose another folder.</source>
+        <translation>In %1 %2 kann nicht geschrieben werden; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 %2 cannot be read; choose another layer.</source>
         <translation>%1 %2 kann nicht gelesen werden; einen anderen Layer wählen.</translation>
@@ -6206,6 +6540,11 @@
         <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 is empty; choose a layer.</source>
         <translation>%1 ist leer; einen Layer wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
+        <translation>%1 enthält keine Linien oder Polygone; eines zeichnen oder das Feld leer lassen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/outlines.py"/>
@@ -6304,8 +6643,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
-        <source>%1 is empty; choose at least one text file or layer of points.</source>
-        <translation>%1 ist leer; mindestens eine Textdatei oder einen Punktlayer wählen.</translation>
+        <source>%1 is empty; choose at least one list of points, or scan.</source>
+        <translation>%1 ist leer; mindestens eine Punktliste oder einen Scan wählen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
@@ -6334,8 +6673,13 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Targets picked in the scans, in the scanner&#x27;s own frame: text files or layers as for control points. The name of the file is the name of the scan; give the cloud the same name. On the command line, repeat TARGETS=file or separate the files by semicolons.</source>
-        <translation>In den Scans gemessene Zielmarken im System des Scanners: Textdateien oder Layer wie für Passpunkte. Der Name der Datei ist der Name des Scans; der Punktwolke denselben Namen geben. Auf der Kommandozeile TARGETS=Datei wiederholen oder die Dateien durch Semikolons trennen.</translation>
+        <source>Targets, one list for each scan, or the scans</source>
+        <translation>Zielmarken, eine Liste je Scan, oder die Scans</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Targets picked in the scans, in the scanner&#x27;s own frame: text files or layers as for control points. The name of the file is the name of the scan; give the cloud the same name. Scans themselves may be given instead, or a folder of them: their targets are found on the way, unless there is a list of the same name. On the command line, repeat TARGETS=file or separate the files by semicolons.</source>
+        <translation>In den Scans gemessene Zielmarken im System des Scanners: Textdateien oder Layer wie für Passpunkte. Der Name der Datei ist der Name des Scans; der Punktwolke denselben Namen geben. Stattdessen können die Scans selbst angegeben werden oder ein Ordner davon: Ihre Zielmarken werden unterwegs gefunden, wenn es keine gleichnamige Liste gibt. Auf der Kommandozeile TARGETS=Datei wiederholen oder die Dateien durch Semikolons trennen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -6364,8 +6708,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right.</source>
-        <translation>Jeder Koordinate einer gemessenen Zielmarke, vor der Ausgleichung. Die Statistik prüft, ob sie stimmt.</translation>
+        <source>Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right. Targets with standard deviations of their own, as &#x27;Find targets in scans&#x27; writes them, are adjusted with these; SIGMA then says only how exactly distances match.</source>
+        <translation>Jeder Koordinate einer gemessenen Zielmarke, vor der Ausgleichung. Die Statistik prüft, ob sie stimmt. Zielmarken mit eigenen Standardabweichungen, wie &#x27;Zielmarken in Scans finden&#x27; sie schreibt, werden mit diesen ausgeglichen; SIGMA sagt dann nur, wie genau Strecken übereinstimmen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

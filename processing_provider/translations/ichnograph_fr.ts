@@ -159,9 +159,31 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>its parts contradict each other</source>
+        <translation>ses parties se contredisent</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
         <source>%1 is truncated or damaged (%2); copy or export it again.</source>
         <translation>%1 est tronqué ou endommagé (%2) ; copiez-le ou exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <location filename="../../algorithms/facade/points.py"/>
+        <source>colour</source>
+        <translation>couleur</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>Some scans of %1 have no %2, which counts as 0 there; export all scans alike.</source>
+        <translation>Il manque à certains scans de %1 : %2 ; cela y compte pour 0. Exportez tous les scans de la même façon.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>%1 has angles of up to %2, though E57 prescribes radians; export it again with Cartesian coordinates.</source>
+        <translation>%1 a des angles allant jusqu&#x27;à %2, alors que E57 prescrit des radians ; exportez-le à nouveau avec des coordonnées cartésiennes.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57_scan.py"/>
@@ -343,8 +365,20 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 gives coordinates in %2; they were converted to metres.</source>
+        <translation>%1 donne les coordonnées en %2 ; elles ont été converties en mètres.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>il annonce %1 points et en a %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <source>%1 has a property %2 with decimals where its header announces whole numbers; export it again.</source>
+        <translation>%1 a une propriété %2 avec des décimales là où son en-tête annonce des nombres entiers ; exportez-le à nouveau.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
@@ -408,6 +442,26 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>intensity or colour</source>
+        <translation>intensité ou couleur</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>is 0 there</source>
+        <translation>y vaut 0</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>is left out there</source>
+        <translation>y est laissée de côté</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>Scans of %1 have unlike columns, %2 in the first and %3 in others, so %4 %5; export all scans alike.</source>
+        <translation>Les scans de %1 ont des colonnes différentes, %2 dans le premier et %3 dans d&#x27;autres ; %4 %5 donc. Exportez tous les scans de la même façon.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>a scan announces %1 cells and has %2</source>
         <translation>un scan annonce %1 cellules et en a %2</translation>
     </message>
@@ -458,6 +512,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>The first column of %1 can be x, or the number or time of a point; name the columns in a first line, as &#x27;x y z intensity&#x27; or &#x27;time x y z&#x27;.</source>
+        <translation>La première colonne de %1 peut être x, ou le numéro ou l&#x27;heure d&#x27;un point ; nommez les colonnes dans une première ligne : &#x27;x y z intensity&#x27; ou &#x27;time x y z&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>%1 has fewer than three columns of numbers; export it as x y z.</source>
         <translation>%1 a moins de trois colonnes de nombres ; exportez-le sous la forme x y z.</translation>
     </message>
@@ -470,12 +529,6 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The columns of %1 after x y z have no names and were left out.</source>
         <translation>Les colonnes de %1 après x y z n&#x27;ont pas de nom et ont été écartées.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <location filename="../../algorithms/registration/lists/point_text.py"/>
-        <source>%1 gives coordinates in %2; they were converted to metres.</source>
-        <translation>%1 donne les coordonnées en %2 ; elles ont été converties en mètres.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -770,6 +823,11 @@
         <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 has no lengths; name its columns id, width, height and sill, or id, dimension and length.</source>
         <translation>%1 n&#x27;a pas de longueurs ; nommez ses colonnes id, width, height et sill, ou id, dimension et length.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
+        <translation>Ligne %1 de %2 : la dimension « %3 » de %4 figure deux fois ; supprimez une entrée.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
@@ -1122,8 +1180,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/buildings/choice.py"/>
-        <source>No facade was found, so leave FACADE 0 and FACADE_NEAR empty.</source>
-        <translation>Aucune façade n&#x27;a été trouvée ; laissez FACADE à 0 et FACADE_NEAR vide.</translation>
+        <source>No facade was found, so leave FACADE 0, and FACADE_NEAR and FACADE_ALONG empty.</source>
+        <translation>Aucune façade n&#x27;a été trouvée ; laissez FACADE à 0, et FACADE_NEAR et FACADE_ALONG vides.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/buildings/choice.py"/>
@@ -1134,6 +1192,31 @@
         <location filename="../../algorithms/facade/buildings/choice.py"/>
         <source>FACADE is %1, but the cloud has %2 facades; choose one from 1 to %3 in the report, or 0.</source>
         <translation>FACADE vaut %1, mais le nuage a %2 façades ; choisissez-en une de 1 à %3 dans le rapport, ou 0.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/buildings/choice.py"/>
+        <source>FACADE_ALONG has a line or a polygon without a facade within %1 m; give it in the coordinates of the site, along the outside of the walls.</source>
+        <translation>FACADE_ALONG a une ligne ou un polygone sans façade à moins de %1 m ; donnez-le dans les coordonnées du site, le long de l&#x27;extérieur des murs.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>as narrow as a joint</source>
+        <translation>aussi étroit qu&#x27;un joint</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>its colour changes gradually, as that of a stain or of lamplight does</source>
+        <translation>sa couleur change peu à peu, comme celle d&#x27;une tache ou d&#x27;une lueur de lampe</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>its colour differs no more than the wall&#x27;s own colours do</source>
+        <translation>sa couleur ne diffère pas plus que les couleurs du mur entre elles</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/colour/steps.py"/>
+        <source>the intensity shows no edge, as that of a shadow does not</source>
+        <translation>l&#x27;intensité ne montre aucune arête, comme pour une ombre</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
@@ -1198,6 +1281,7 @@
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <location filename="../../algorithms/facade/openings/content.py"/>
+        <location filename="../../algorithms/facade/openings/niches.py"/>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <source>bottom</source>
@@ -1206,10 +1290,46 @@
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <location filename="../../algorithms/facade/openings/content.py"/>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>top</source>
         <translation>haut</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1:</source>
+        <translation>Façade %1 :</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1 is not drawn: %2</source>
+        <translation>La façade %1 n&#x27;est pas dessinée : %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/every_facade.py"/>
+        <source>Facade %1: %2</source>
+        <translation>Façade %1 : %2</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>surface</source>
+        <translation>surface</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>fewer than three straight sides were seen, as of damage or a shadow</source>
+        <translation>moins de trois côtés droits ont été vus, comme d&#x27;un dégât ou d&#x27;une ombre</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>no straight sides, as of a stain</source>
+        <translation>pas de côtés droits, comme une tache</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/left_out.py"/>
+        <source>parallel to the wall, but not a part of it</source>
+        <translation>parallèle au mur, mais n&#x27;en fait pas partie</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
@@ -1287,6 +1407,11 @@
         <translation>passage</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/openings/niches.py"/>
+        <source>niche</source>
+        <translation>niche</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/outlines/heads.py"/>
         <source>flat</source>
         <translation>droit</translation>
@@ -1349,8 +1474,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
-        <source>FACADE takes a number of this table, FACADE_NEAR a point near a facade.</source>
-        <translation>FACADE prend un numéro de ce tableau, FACADE_NEAR un point proche d&#x27;une façade.</translation>
+        <source>FACADE takes a number of this table, FACADE_NEAR a point near a facade, FACADE_ALONG a line along it; ALL draws every one.</source>
+        <translation>FACADE prend un numéro de ce tableau, FACADE_NEAR un point proche d&#x27;une façade, FACADE_ALONG une ligne qui la longe ; ALL les dessine toutes.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1364,8 +1489,19 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
-        <source>Sizes in brackets have an edge that was not seen.</source>
-        <translation>Les dimensions entre parenthèses ont une arête qui n&#x27;a pas été vue.</translation>
+        <source>Sizes in brackets have an edge that was not seen. Completed edges are where the openings of the same row have theirs.</source>
+        <translation>Les dimensions entre parenthèses ont une arête qui n&#x27;a pas été vue. Les arêtes complétées sont là où les baies de la même rangée ont les leurs.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/algorithms/facade_details.py"/>
+        <source>Left out</source>
+        <translation>Écartés</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <source>LEFT_OUT is a layer of them.</source>
+        <translation>LEFT_OUT en est une couche.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1471,6 +1607,23 @@
         <translation>Arêtes mesurées</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <source>Completed</source>
+        <translation>Complétées</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/templates/facade.html"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>ceilings, or the area seen on each side, show where the open air is; the points close to the wall do not show its front</source>
         <translation>les plafonds, ou la surface vue de chaque côté, montrent où est l&#x27;extérieur ; les points proches du mur ne montrent pas où est le devant</translation>
@@ -1529,11 +1682,6 @@
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>most points far from the wall are there (%1, %2 on the other side); its holes do not show which side is the front</source>
         <translation>la plupart des points éloignés du mur s&#x27;y trouvent (%1, contre %2 de l&#x27;autre côté) ; ses ouvertures ne montrent pas où est le devant</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/points.py"/>
-        <source>colour</source>
-        <translation>couleur</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>
@@ -1631,6 +1779,11 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>not those of a map</source>
+        <translation>pas celles d&#x27;une carte</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>in %1</source>
         <translation>en %1</translation>
     </message>
@@ -1649,6 +1802,11 @@
         <location filename="../../processing_provider/fields.py"/>
         <source>surveyed</source>
         <translation>levé</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/adjustment/evaluation.py"/>
+        <source>The residuals of %1 are %2 times as large as the standard deviations of its targets and of the control points suggest (chi-square probability %3); look for wrong targets, or set CONTROL_SIGMA to how accurately the points were surveyed.</source>
+        <translation>Les résidus de %1 sont %2 fois plus grands que ne le suggèrent les écarts-types de ses cibles et des points d&#x27;appui (probabilité du chi-deux %3) ; cherchez des cibles fausses, ou mettez CONTROL_SIGMA à la précision avec laquelle les points ont été levés.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/adjustment/evaluation.py"/>
@@ -1704,6 +1862,11 @@
         <location filename="../../algorithms/registration/adjustment/scale_test.py"/>
         <source>%1 grid coordinates that are not reduced for the projection; %2.</source>
         <translation>%1 des coordonnées planes non corrigées de l&#x27;altération linéaire ; %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>%1 has no table (.dbf) beside it, so its points have no names; copy all its parts.</source>
+        <translation>%1 n&#x27;a pas de table (.dbf) à côté de lui, ses points n&#x27;ont donc pas de nom ; copiez toutes ses parties.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
@@ -1765,8 +1928,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
-        <source>Z is 0 everywhere in %1, so the heights are those of its field %2.</source>
-        <translation>Z vaut partout 0 dans %1 ; les altitudes sont donc celles du champ %2.</translation>
+        <source>Z is %1 everywhere in %2, so the heights are those of its field %3.</source>
+        <translation>Z vaut partout %1 dans %2 ; les altitudes sont donc celles du champ %3.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>Z is %1 at %2 points of %3, though its field %4 holds heights of some of them; correct Z, or fill in the field.</source>
+        <translation>Z vaut %1 en %2 points de %3, alors que le champ %4 contient les altitudes de certains ; corrigez Z, ou remplissez le champ.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_layer.py"/>
+        <source>0 or no height</source>
+        <translation>0 ou sans altitude</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
@@ -1845,8 +2018,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>, and their standard deviations,</source>
+        <translation>, et leurs écarts-types,</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>Only %1 of %2 were read; its further columns were left out.</source>
         <translation>Seuls %1 de %2 ont été lus ; les autres colonnes ont été écartées.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are points.</source>
+        <translation>%1 lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été écartées ; retirez le signe qui les précède si ce sont des points.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
@@ -1861,6 +2044,7 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
+        <location filename="../../algorithms/registration/output/transforms.py"/>
         <location filename="../../algorithms/reporting/maps.py"/>
         <source>units</source>
         <translation>unités</translation>
@@ -2615,6 +2799,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/transforms.py"/>
+        <source>%1 gives matrices in %2; write shifts in metres.</source>
+        <translation>%1 donne des matrices en %2 ; écrivez les translations en mètres.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/transforms.py"/>
         <source>Scan number %1 in %2 has no name; give it the name of its cloud.</source>
         <translation>Le scan numéro %1 de %2 n&#x27;a pas de nom ; donnez-lui le nom de son nuage.</translation>
     </message>
@@ -3027,6 +3216,31 @@
         <translation>Herbig, Mayer, Mortada et Rasztovits 2013, chapitre 5 : résultats et simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it cannot be read: %1</source>
+        <translation>il ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it is cut off</source>
+        <translation>il est coupé</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>its table is cut off</source>
+        <translation>sa table est coupée</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>it has %1 shapes, and its table %2 rows</source>
+        <translation>il a %1 formes, et sa table %2 lignes</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/shapefile.py"/>
+        <source>%1 is damaged (%2); copy or export it again, with all its parts.</source>
+        <translation>%1 est endommagé (%2) ; copiez-le ou exportez-le à nouveau, avec toutes ses parties.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/site_plan/axes/axes.py"/>
         <source>Finding axes</source>
         <translation>Recherche des axes</translation>
@@ -3113,6 +3327,16 @@
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>INPUT %1: pixels must be square and north up; resample it with the Warp tool.</source>
         <translation>INPUT %1 : les pixels doivent être carrés, nord en haut ; rééchantillonnez avec « Projection (warp) ».</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: has pixels of %2 m; give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1 : a des pixels de %2 m ; donnez la sortie de &#x27;densityimage&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: holds a picture, not densities; give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1 : contient une image, et non des densités ; donnez la sortie de &#x27;densityimage&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/grid.py"/>
@@ -3773,6 +3997,16 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/dialect.py"/>
+        <source>%1 holds no points because all lines with numbers begin with #, // or ;, as remarks do; remove these signs.</source>
+        <translation>%1 ne contient aucun point, car toutes les lignes de nombres commencent, comme des commentaires, par #, // ou ; ; retirez ces signes.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/dialect.py"/>
+        <source>%1 is XML, not a table of numbers; export it again as x y z.</source>
+        <translation>%1 est du XML, et non un tableau de nombres ; exportez-le à nouveau sous la forme x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/dialect.py"/>
         <source>%1 holds no points because no line has three numbers separated by comma, semicolon, blank or tab; export it again as x y z.</source>
         <translation>%1 ne contient aucun point, car aucune ligne n&#x27;a trois nombres séparés par une virgule, un point-virgule, un espace ou une tabulation ; exportez-le à nouveau sous la forme x y z.</translation>
     </message>
@@ -3823,6 +4057,21 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
+        <source>Line %1 of %2, below the names of the columns, is not a row of numbers; correct or remove that line.</source>
+        <translation>La ligne %1 de %2, sous les noms des colonnes, n&#x27;est pas une ligne de nombres ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>The header of %1 states the unit of some columns only; write it into the name of each column.</source>
+        <translation>L&#x27;en-tête de %1 n&#x27;indique l&#x27;unité que de certaines colonnes ; écrivez-la dans le nom de chaque colonne.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>%1 has several columns called %2; rename those that are not wanted.</source>
+        <translation>%1 a plusieurs colonnes appelées %2 ; renommez celles qui ne sont pas voulues.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
         <source>%1 has geographic coordinates in degrees; reproject it to a projected coordinate reference system in metres.</source>
         <translation>%1 a des coordonnées géographiques en degrés ; reprojetez-le dans un système projeté en mètres.</translation>
     </message>
@@ -3838,6 +4087,21 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/named_table.py"/>
+        <source>The number at the end of %1 is cut off; copy or export it again.</source>
+        <translation>Le nombre à la fin de %1 est coupé ; copiez-le ou exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>The commas in %1 can be decimal signs or separators; separate the columns by semicolons, or write decimal points.</source>
+        <translation>Les virgules de %1 peuvent être des signes décimaux ou des séparateurs ; séparez les colonnes par des points-virgules, ou écrivez des points décimaux.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are wanted.</source>
+        <translation>%1 lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été écartées ; retirez le signe qui les précède si elles sont voulues.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
         <source>%1 has no column %2; add or rename it.</source>
         <translation>%1 n&#x27;a pas de colonne %2 ; ajoutez-la ou renommez-la.</translation>
     </message>
@@ -3850,6 +4114,12 @@
         <location filename="../../algorithms/tables/units.py"/>
         <source>metres</source>
         <translation>mètres</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/units.py"/>
+        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
+        <source>degrees</source>
+        <translation>degrés</translation>
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
@@ -3876,11 +4146,6 @@
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
         <source>angle of incidence</source>
         <translation>angle d&#x27;incidence</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
-        <source>degrees</source>
-        <translation>degrés</translation>
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
@@ -4174,6 +4439,11 @@
         <location filename="../../algorithms/vector.py"/>
         <source>%1: cannot write this kind of layer; end the name in .shp or .gpkg.</source>
         <translation>%1 : ce type de couche ne peut pas être écrit ; terminez le nom par .shp ou .gpkg.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/vector.py"/>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
     </message>
     <message>
         <location filename="../../algorithms/vector.py"/>
@@ -4556,6 +4826,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
+        <source>Polygons in u, v, with reason and area: holes of the wall, regions of another colour and surfaces that are not drawn.</source>
+        <translation>Polygones en u, v, avec raison et surface : trous du mur, régions d&#x27;une autre couleur et surfaces qui ne sont pas dessinées.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/facade_details.py"/>
         <source>Report of the facade</source>
         <translation>Rapport de la façade</translation>
     </message>
@@ -4581,13 +4856,13 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Holes of the wall of %1 m² in all are left out, because too few straight sides of them were seen.</source>
-        <translation>Des trous du mur, %1 m² en tout, sont écartés, car trop peu de leurs côtés droits ont été vus.</translation>
+        <source>Facades drawn into the folder: %1.</source>
+        <translation>Façades dessinées dans le dossier : %1.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>%1 regions of another colour are left out, because they have no straight sides; REGULARISE=no keeps them.</source>
-        <translation>%1 régions d&#x27;une autre couleur sont écartées, car elles n&#x27;ont pas de côtés droits ; REGULARISE=no les garde.</translation>
+        <source>Left out: %1 of kind %2, %3 m² in all: %4.</source>
+        <translation>Écartés : %1 de type %2, %3 m² en tout : %4.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -4596,8 +4871,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Details: %1; pixels of the orthoimage: %2 m.</source>
-        <translation>Détails : %1 ; pixels de l&#x27;orthoimage : %2 m.</translation>
+        <source>Details: %1.</source>
+        <translation>Détails : %1.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_planes.py"/>
@@ -4700,21 +4975,6 @@
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
         <source>No target was found; the log says which tests failed, and how near.</source>
         <translation>Aucune cible n&#x27;a été trouvée ; le journal dit quels critères ont échoué, et de combien.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>%1: %2 targets, %3 doubtful.</source>
-        <translation>%1 : %2 cibles, %3 douteuses.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>The %1 target at %2 in %3</source>
-        <translation>La cible (%1) en %2 dans %3</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/find_targets.py"/>
-        <source>%1 is doubtful: %2.</source>
-        <translation>%1 est douteuse : %2.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
@@ -4867,8 +5127,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
-        <source>Targets picked in each scan are matched with surveyed control points by their distances, and the transformations of all scans are adjusted together. Targets that are not control points tie the scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, Mayer, Mortada and Rasztovits 2013).</source>
-        <translation>Les cibles pointées dans chaque scan sont appariées aux points d&#x27;appui levés par leurs distances, et les transformations de tous les scans sont compensées ensemble. Les cibles qui ne sont pas des points d&#x27;appui relient les scans entre eux. Un scan sans solution univoque est refusé, avec la raison (Herbig, Mayer, Mortada et Rasztovits 2013).</translation>
+        <source>Targets picked or found in each scan are matched with surveyed control points by their distances, and the transformations of all scans are adjusted together. Targets that are not control points tie the scans to each other. A scan without an unambiguous solution is refused, with the reason (Herbig, Mayer, Mortada and Rasztovits 2013).</source>
+        <translation>Les cibles pointées ou trouvées dans chaque scan sont appariées aux points d&#x27;appui levés par leurs distances, et les transformations de tous les scans sont compensées ensemble. Les cibles qui ne sont pas des points d&#x27;appui relient les scans entre eux. Un scan sans solution univoque est refusé, avec la raison (Herbig, Mayer, Mortada et Rasztovits 2013).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -5324,11 +5584,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
-        <source>Reason</source>
-        <translation>Raison</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/fields.py"/>
         <source>Boundary of</source>
         <translation>Limite de</translation>
     </message>
@@ -5349,11 +5604,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
-        <source>Number</source>
-        <translation>Numéro</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/fields.py"/>
         <source>Head</source>
         <translation>Forme du linteau</translation>
     </message>
@@ -5361,6 +5611,11 @@
         <location filename="../../processing_provider/fields.py"/>
         <source>Measured sides</source>
         <translation>Côtés mesurés</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/fields.py"/>
+        <source>Completed sides</source>
+        <translation>Côtés complétés</translation>
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
@@ -5594,6 +5849,41 @@
         <translation>Vu par</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>Targets found in %1 have no names; set MATCHING to distances, or choose a list.</source>
+        <translation>Les cibles trouvées dans %1 n&#x27;ont pas de nom ; mettez MATCHING sur les distances, ou choisissez une liste.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>Searching %1 scans for targets, because they have no lists.</source>
+        <translation>Recherche de cibles dans %1 scans, car ils n&#x27;ont pas de liste.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>No target was found in the scans; the log says which tests failed, and how near. Pick the targets, or try &#x27;Find targets in scans&#x27; with the size of the targets.</source>
+        <translation>Aucune cible n&#x27;a été trouvée dans les scans ; le journal dit quels critères ont échoué, et de combien. Pointez les cibles, ou essayez « Trouver les cibles dans les scans » avec la taille des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>TARGETS has a list and a scan called %1; remove one of them.</source>
+        <translation>TARGETS a une liste et un scan appelés %1 ; supprimez l&#x27;un des deux.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>%1: %2 targets, %3 doubtful.</source>
+        <translation>%1 : %2 cibles, %3 douteuses.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>The %1 target at %2 in %3</source>
+        <translation>La cible (%1) en %2 dans %3</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/found_targets.py"/>
+        <source>%1 is doubtful: %2.</source>
+        <translation>%1 est douteuse : %2.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/help.py"/>
         <source>Advanced parameters</source>
         <translation>Paramètres avancés</translation>
@@ -5656,8 +5946,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <source>Scans are registered by their targets, transformed to the control points, and drawn as a site plan.</source>
-        <translation>Les scans sont recalés par leurs cibles, transformés sur les points d&#x27;appui, et dessinés en plan.</translation>
+        <source>Targets are found in the scans, or read from lists. Scans are registered by them, transformed to the control points, and drawn as a site plan.</source>
+        <translation>Les cibles sont trouvées dans les scans, ou lues dans des listes. Les scans sont recalés par elles, transformés sur les points d&#x27;appui, et dessinés en plan.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
@@ -5673,8 +5963,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <source>Scans, named like their lists</source>
-        <translation>Scans, nommés comme leurs listes</translation>
+        <source>Scans; a scan has the name of its list</source>
+        <translation>Scans ; un scan porte le nom de sa liste</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
@@ -5683,9 +5973,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
-        <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Targets, one list for each scan</source>
-        <translation>Cibles, une liste par scan</translation>
+        <source>Targets, one list for each scan; found in scans without a list</source>
+        <translation>Cibles, une liste par scan ; cherchées dans les scans sans liste</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -5919,16 +6208,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/destinations.py"/>
-        <source>%1, one by one</source>
-        <translation>%1, un par un</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/destinations.py"/>
-        <source>%1 %2 cannot be written to; choose another folder.</source>
-        <translation>%1 %2 n&#x27;est pas accessible en écriture ; choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/destinations.py"/>
         <source>an input</source>
         <translation>une entrée</translation>
     </message>
@@ -5971,6 +6250,16 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Measures the facade nearest to this point, in the coordinates of the cloud; FACADE is then ignored.</source>
         <translation>Mesure la façade la plus proche de ce point, dans les coordonnées du nuage ; FACADE est alors ignoré.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Lines or walls along the facade</source>
+        <translation>Lignes ou murs le long de la façade</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Measures the facade along a line that is drawn near to it, or along a wall of a plan, for example of siteplan, in the coordinates of the cloud. Of several, selected features only if you choose so, the facade that the most runs along. A folder of every facade then has those along the lines: a polygon of a building chooses its facades among those of a street. FACADE and FACADE_NEAR choose among all.</source>
+        <translation>Mesure la façade le long d&#x27;une ligne dessinée près d&#x27;elle, ou le long d&#x27;un mur d&#x27;un plan, par exemple de siteplan, dans les coordonnées du nuage. S&#x27;il y en a plusieurs, ou les seules entités sélectionnées si vous le choisissez, la façade longée sur la plus grande longueur. Un dossier de toutes les façades contient alors celles qui longent les lignes : le polygone d&#x27;un bâtiment choisit ses façades parmi celles d&#x27;une rue. FACADE et FACADE_NEAR choisissent parmi toutes.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6154,6 +6443,31 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Coloured details</source>
+        <translation>Détails colorés</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Which regions of another colour become details. Those with a clear step: they are regular, and their colour changes sharply along the border, which the intensity confirms if there is one; stains, joints, shadows and lamplight are left out, and LEFT_OUT shows them. All regions: the chain of the paper, together with REGULARISE off. None: faster.</source>
+        <translation>Quelles régions d&#x27;une autre couleur deviennent des détails. Celles au contraste net : elles sont régulières, et leur couleur change brusquement le long du bord, ce que l&#x27;intensité confirme s&#x27;il y en a une ; taches, joints, ombres et lueurs de lampe sont écartés, et LEFT_OUT les montre. Toutes les régions : la chaîne de l&#x27;article, avec REGULARISE désactivé. Aucune : plus rapide.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Those with a clear step</source>
+        <translation>Celles au contraste net</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>All regions</source>
+        <translation>Toutes les régions</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Pixel size of the orthoimage</source>
         <translation>Taille de pixel de l&#x27;orthoimage</translation>
     </message>
@@ -6171,6 +6485,16 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Pixels without points take the colour of the nearest pixel with points. If off, they are transparent.</source>
         <translation>Les pixels sans points prennent la couleur du plus proche pixel qui en a. Désactivé, ils sont transparents.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade_files.py"/>
+        <source>Folder of every facade</source>
+        <translation>Dossier de toutes les façades</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade_files.py"/>
+        <source>Draws every facade of the cloud, or those along FACADE_ALONG, each into a folder of its own by its number: elevation, orthoimage, details in space, what is left out, report, and drawing if ezdxf is installed. One schedule lists the details of all. Takes as long for each facade as for one.</source>
+        <translation>Dessine chaque façade du nuage, ou celles le long de FACADE_ALONG, chacune dans un dossier à son numéro : élévation, orthoimage, détails dans l&#x27;espace, ce qui est écarté, rapport, et dessin si ezdxf est installé. Une seule nomenclature liste les détails de toutes. Prend pour chaque façade autant de temps que pour une.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/files.py"/>
@@ -6198,6 +6522,16 @@
         <translation>%1 est vide ; choisissez un fichier %2.</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/parameters/folders.py"/>
+        <source>%1, one by one</source>
+        <translation>%1, un par un</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/folders.py"/>
+        <source>%1 %2 cannot be written to; choose another folder.</source>
+        <translation>%1 %2 n&#x27;est pas accessible en écriture ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 %2 cannot be read; choose another layer.</source>
         <translation>%1 %2 ne peut pas être lu ; choisissez une autre couche.</translation>
@@ -6206,6 +6540,11 @@
         <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 is empty; choose a layer.</source>
         <translation>%1 est vide ; choisissez une couche.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
+        <translation>%1 n&#x27;a ni lignes ni polygones ; dessinez-en, ou laissez-le vide.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/outlines.py"/>
@@ -6304,8 +6643,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
-        <source>%1 is empty; choose at least one text file or layer of points.</source>
-        <translation>%1 est vide ; choisissez au moins un fichier texte ou une couche de points.</translation>
+        <source>%1 is empty; choose at least one list of points, or scan.</source>
+        <translation>%1 est vide ; choisissez au moins une liste de points, ou un scan.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
@@ -6334,8 +6673,13 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Targets picked in the scans, in the scanner&#x27;s own frame: text files or layers as for control points. The name of the file is the name of the scan; give the cloud the same name. On the command line, repeat TARGETS=file or separate the files by semicolons.</source>
-        <translation>Cibles pointées dans les scans, dans le repère du scanner : fichiers texte ou couches comme pour les points d&#x27;appui. Le nom du fichier est le nom du scan ; donnez le même nom au nuage. En ligne de commande, répétez TARGETS=fichier ou séparez les fichiers par des points-virgules.</translation>
+        <source>Targets, one list for each scan, or the scans</source>
+        <translation>Cibles, une liste par scan, ou les scans</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Targets picked in the scans, in the scanner&#x27;s own frame: text files or layers as for control points. The name of the file is the name of the scan; give the cloud the same name. Scans themselves may be given instead, or a folder of them: their targets are found on the way, unless there is a list of the same name. On the command line, repeat TARGETS=file or separate the files by semicolons.</source>
+        <translation>Cibles pointées dans les scans, dans le repère du scanner : fichiers texte ou couches comme pour les points d&#x27;appui. Le nom du fichier est le nom du scan ; donnez le même nom au nuage. Les scans eux-mêmes peuvent être donnés à la place, ou un dossier qui les contient : leurs cibles sont trouvées en chemin, sauf s&#x27;il y a une liste du même nom. En ligne de commande, répétez TARGETS=fichier ou séparez les fichiers par des points-virgules.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -6364,8 +6708,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right.</source>
-        <translation>De chaque coordonnée d&#x27;une cible pointée, avant la compensation. Les statistiques vérifient s&#x27;il est juste.</translation>
+        <source>Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right. Targets with standard deviations of their own, as &#x27;Find targets in scans&#x27; writes them, are adjusted with these; SIGMA then says only how exactly distances match.</source>
+        <translation>De chaque coordonnée d&#x27;une cible pointée, avant la compensation. Les statistiques vérifient s&#x27;il est juste. Les cibles qui ont leurs propres écarts-types, tels que les écrit « Trouver les cibles dans les scans », sont compensées avec ceux-ci ; SIGMA dit alors seulement avec quelle précision les distances concordent.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

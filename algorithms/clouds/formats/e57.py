@@ -255,7 +255,7 @@ def _unlike(path: Path, scans: Sequence[Scan]) -> tuple[str, ...]:
     if not lacking:
         return ()
     return (
-        f"Some scans of {path} have no {' and no '.join(lacking)}, which counts as 0 there; export all scans "
+        f"Some scans of {path} have no {' or '.join(lacking)}, which counts as 0 there; export all scans "
         "alike.",
     )
 
