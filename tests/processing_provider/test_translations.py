@@ -13,6 +13,7 @@ SAME = {
         "%1 m in %2",
         "Detail",
         "Details",
+        "Details: %1.",
         "Name",
         "Plan",
         "Radius (m)",
