@@ -6,6 +6,8 @@ SITE_TOOLS = "sphinx>=7,<10" "myst-parser>=3,<6" "furo>=2024"
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
+# Models and pages are written in English, whatever the language of the computer.
+export LC_ALL = C.UTF-8
 
 # Small matrices are slower on several threads.
 RUN_REGISTRATION = OPENBLAS_NUM_THREADS=1 $(RUN)

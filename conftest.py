@@ -1,10 +1,14 @@
 """Load the checkout as the package ``ichnograph``, whatever its folder is called."""
 
 import importlib.util
+import os
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parent
+
+# The tests read what QGIS says in English, whatever the language of the computer.
+os.environ["LC_ALL"] = "C.UTF-8"
 
 if "ichnograph" not in sys.modules:
     spec = importlib.util.spec_from_file_location(
