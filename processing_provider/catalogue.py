@@ -7,7 +7,7 @@ pattern of the other language. A text without a pattern is divided into parts th
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Callable, NamedTuple
 
 HOLE = re.compile(r"%(\d{1,2})")
@@ -20,6 +20,9 @@ SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
 
 EDGES = re.compile(r"^[\W\d_]+|[\W\d_]+$")
 """What stands before and after a text."""
+
+DEEPEST = 4
+"""Levels of patterns within patterns; the core has three."""
 
 MOST_SENTENCES = 12
 """A longer text is divided after all its sentences, and not where most of it is known."""
@@ -48,48 +51,51 @@ class Catalogue:
 
     def translate(self, text: str) -> str:
         """Return a text in the other language, as far as it is known; the rest remains as it is."""
-        return self._cached(text).text
+        return self._cached(text, DEEPEST).text
 
-    def _translation(self, text: str) -> Translation:
+    def _translation(self, text: str, depth: int) -> Translation:
+        """Return the best translation, with patterns within patterns to a depth."""
         if not WORD.search(text):
             return Translation(text, 0)
         if text in self._translations and not HOLE.search(text):
             return Translation(self._translations[text], len(text))
         # Of equals the first: the parts of a list, before a pattern that fits its ends.
-        options = [Translation(text, 0), *self._divided(text), *self._filled(text)]
+        options = [Translation(text, 0), *self._divided(text, depth)]
+        if depth:
+            options += self._filled(text, depth - 1)
         return max(options, key=lambda option: option.known)
 
-    def _filled(self, text: str) -> Iterator[Translation]:
+    def _filled(self, text: str, depth: int) -> Iterator[Translation]:
         """Yield translations by the patterns that fit the whole text."""
         for word in {*WORD.findall(text)}:
-            for pattern in self._patterns.get(word, ()):
+            for pattern in map(_pattern, self._patterns.get(word, ())):
                 match = pattern.regex.fullmatch(text)
                 if match:
-                    parts = [self._cached(part) for part in match.groups()]
+                    parts = [self._cached(part, depth) for part in match.groups()]
                     text_of = _filling(part.text for part in parts)
                     filled = HOLE.sub(text_of, self._translations[pattern.source])
                     yield Translation(filled, pattern.known + sum(part.known for part in parts))
 
-    def _divided(self, text: str) -> Iterator[Translation]:
+    def _divided(self, text: str, depth: int) -> Iterator[Translation]:
         """Yield translations of the text in parts."""
         inner = EDGES.sub("", text)
         if inner != text:
             before, _, after = text.partition(inner)
-            found = self._cached(inner)
+            found = self._cached(inner, depth)
             yield Translation(before + found.text + after, found.known)
         places = [found.end() - 1 for found in re.finditer(re.escape(SENTENCES), text)]
         if 0 < len(places) <= MOST_SENTENCES:
             for place in places:
-                yield _joined([self._cached(text[:place]), self._cached(text[place + 1 :])], " ")
+                yield self._joined([text[:place], text[place + 1 :]], " ", depth)
         elif places:
-            yield self._apart(text, SENTENCES)
+            yield self._joined(text.split(SENTENCES), SENTENCES, depth)
         for divider in CLAUSES:
             if divider in text:
-                yield self._apart(text, divider)
+                yield self._joined(text.split(divider), divider, depth)
 
-    def _apart(self, text: str, divider: str) -> Translation:
-        """Return the translation of a text that is divided wherever `divider` stands."""
-        return _joined([self._cached(part) for part in text.split(divider)], divider)
+    def _joined(self, texts: list[str], divider: str, depth: int) -> Translation:
+        parts = [self._cached(text, depth) for text in texts]
+        return Translation(divider.join(part.text for part in parts), sum(part.known for part in parts))
 
 
 class _Pattern(NamedTuple):
@@ -104,22 +110,18 @@ def _filling(texts: Iterable[str]) -> Callable[["re.Match[str]"], str]:
     return lambda hole: numbered[int(hole[1])]
 
 
-def _joined(parts: Iterable[Translation], divider: str) -> Translation:
-    parts = list(parts)
-    return Translation(divider.join(part.text for part in parts), sum(part.known for part in parts))
-
-
-def _indexed(sources: Iterable[str]) -> dict[str, list[_Pattern]]:
+def _indexed(sources: Iterable[str]) -> dict[str, list[str]]:
     """Return the patterns by the one of their words that the fewest other patterns have."""
     words = {source: {*WORD.findall(HOLE.sub("%", source))} for source in sources}
     counts = Counter(word for found in words.values() for word in found)
     patterns = defaultdict(list)
     for source, found in words.items():
         rarest = min(found, key=lambda word: (counts[word], -len(word), word))
-        patterns[rarest].append(_pattern(source))
+        patterns[rarest].append(source)
     return patterns
 
 
+@cache
 def _pattern(source: str) -> _Pattern:
     """Return a pattern whose holes match anything."""
     literals = HOLE.split(source)[::2]

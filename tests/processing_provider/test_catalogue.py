@@ -62,6 +62,10 @@ def test_the_pattern_that_knows_most_of_a_text_is_taken():
     assert CATALOGUE.translate(english).startswith("3 m in S1 ist nicht registriert")
 
 
+def test_patterns_within_patterns_end_in_any_text():
+    assert "%" not in CATALOGUE.translate("a m in b by the c, " * 200)
+
+
 @pytest.mark.parametrize("text", ["", "12.5", "/data/too few.laz", "Something else entirely.", "100 %1"])
 def test_a_text_without_a_pattern_remains_as_it_is(text):
     assert CATALOGUE.translate(text) == text

@@ -63,6 +63,13 @@ def test_a_plan_is_compared_with_a_reference(command, room, tmp_path):
     assert (tmp_path / "e.qml").exists()
 
 
+@pytest.mark.parametrize(
+    ("locale", "label"), [("de_DE.UTF-8", "Punktabstand (m)"), ("fr_FR.UTF-8", "Espacement des points (m)")]
+)
+def test_the_language_is_that_of_the_system(command, locale, label):
+    assert label in command("help", "ichnograph:thincloud", LC_ALL=locale).stdout
+
+
 def test_an_error_is_a_sentence_and_exit_code_1(command, tmp_path):
     (tmp_path / "walls.shp").write_text("older")
     (tmp_path / "empty.laz").touch()
