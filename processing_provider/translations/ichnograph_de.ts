@@ -222,6 +222,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las.py"/>
+        <source>The coordinates of %1 lie in steps of %2 m, the scale in its header; export it with a scale of 0.001 m or finer.</source>
+        <translation>Die Koordinaten von %1 liegen in Stufen von %2 m, dem Maßstab im Dateikopf; mit einem Maßstab von 0.001 m oder feiner exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
         <source>%1 has coordinates that are not numbers because the scale or offset in its header is not valid; export it again.</source>
         <translation>%1 hat Koordinaten, die keine Zahlen sind, weil Maßstab oder Versatz im Dateikopf ungültig ist; erneut exportieren.</translation>
     </message>
@@ -366,7 +371,6 @@
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>%1 gives coordinates in %2; they were converted to metres.</source>
         <translation>%1 enthält Koordinaten in %2; sie wurden in Meter umgerechnet.</translation>
     </message>
@@ -529,6 +533,11 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The columns of %1 after x y z have no names and were left out.</source>
         <translation>Die Spalten von %1 nach x y z haben keine Namen und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
+        <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -811,6 +820,11 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
+        <translation>Zeile %1 von %2: Das Maß „%3“ von %4 ist doppelt aufgeführt; einen Eintrag entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 gives lengths in %2; they were converted to metres.</source>
         <translation>%1 enthält Längen in %2; sie wurden in Meter umgerechnet.</translation>
     </message>
@@ -826,13 +840,18 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
-        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
-        <translation>Zeile %1 von %2: Das Maß „%3“ von %4 ist doppelt aufgeführt; einen Eintrag entfernen.</translation>
+        <source>%1 of facade %2</source>
+        <translation>%1 der Fassade %2</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>Line %1 of %2: the %3 %4 is not a length in metres.</source>
         <translation>Zeile %1 von %2: %3 %4 ist keine Länge in Metern.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 %4 is not a standard deviation.</source>
+        <translation>Zeile %1 von %2: %3 %4 ist keine Standardabweichung.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
@@ -874,8 +893,8 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
-        <source>%1 has no length of %2; use the ids of the schedule in both.</source>
-        <translation>%1 hat keine Länge von %2; in beiden Dateien die Nummern (id) der Maßliste verwenden.</translation>
+        <source>%1 has no length of %2; use the ids of the schedule in both, and its column facade if it has one.</source>
+        <translation>%1 hat keine Länge von %2; in beiden Dateien die Nummern (id) der Maßliste verwenden und ihre Spalte facade, wenn sie eine hat.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
@@ -1864,6 +1883,11 @@
         <translation>%1 nicht wegen der Abbildung reduzierte Gitterkoordinaten; %2.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/lists/covariances.py"/>
+        <source>The standard deviations in %1 are %2 m in the median; check their unit.</source>
+        <translation>Die Standardabweichungen in %1 betragen im Median %2 m; ihre Einheit prüfen.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
         <source>%1 has no table (.dbf) beside it, so its points have no names; copy all its parts.</source>
         <translation>Neben %1 fehlt die Tabelle (.dbf), daher haben die Punkte keine Namen; alle Teile kopieren.</translation>
@@ -1975,6 +1999,17 @@
         <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>line %1</source>
         <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <location filename="../../processing_provider/parameters/walls.py"/>
+        <source>standard deviations</source>
+        <translation>Standardabweichungen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 gives %2 in %3; they were converted to metres.</source>
+        <translation>%1 enthält %2 in %3; sie wurden in Meter umgerechnet.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
@@ -2477,8 +2512,8 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>standard deviation of a target</source>
-        <translation>Standardabweichung einer Zielmarke</translation>
+        <source>standard deviation of a target without its own</source>
+        <translation>Standardabweichung einer Zielmarke ohne eigene</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2896,6 +2931,11 @@
         <location filename="../../algorithms/registration/registration.py"/>
         <source>No list of targets was given; choose at least one.</source>
         <translation>Es wurde keine Liste von Zielmarken angegeben; mindestens eine wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/registration.py"/>
+        <source>Targets have standard deviations of their own, so control points are not held fixed but count with SIGMA, %1 mm; set CONTROL_SIGMA to the standard deviation of the survey.</source>
+        <translation>Zielmarken haben eigene Standardabweichungen; daher werden die Passpunkte nicht festgehalten, sondern gehen mit SIGMA, %1 mm, ein. CONTROL_SIGMA auf die Standardabweichung der Einmessung setzen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
@@ -3996,6 +4036,11 @@
         <translation>Zahl</translation>
     </message>
     <message>
+        <location filename="../../algorithms/tables/degrees.py"/>
+        <source>x and y of %1 seem to be degrees, because they have many more decimals than z; reproject them to a projected coordinate reference system in metres.</source>
+        <translation>x und y von %1 scheinen Grad zu sein, denn sie haben viel mehr Nachkommastellen als z; in ein projiziertes Koordinatenbezugssystem in Metern umprojizieren.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/tables/dialect.py"/>
         <source>%1 holds no points because all lines with numbers begin with #, // or ;, as remarks do; remove these signs.</source>
         <translation>%1 enthält keine Punkte, weil alle Zeilen mit Zahlen wie Kommentare mit #, // oder ; beginnen; diese Zeichen entfernen.</translation>
@@ -4059,6 +4104,11 @@
         <location filename="../../algorithms/tables/header.py"/>
         <source>Line %1 of %2, below the names of the columns, is not a row of numbers; correct or remove that line.</source>
         <translation>Zeile %1 von %2, unter den Namen der Spalten, besteht nicht aus Zahlen; diese Zeile berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>The remarks in %1 state several units, %2; correct them.</source>
+        <translation>Die Kommentare in %1 nennen mehrere Einheiten, %2; sie berichtigen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
@@ -4432,8 +4482,8 @@
     </message>
     <message>
         <location filename="../../algorithms/targets/station_search.py"/>
-        <source>tiles nearby</source>
-        <translation>Kacheln in der Nähe</translation>
+        <source>crossings nearby</source>
+        <translation>Kreuzungen in der Nähe</translation>
     </message>
     <message>
         <location filename="../../algorithms/vector.py"/>
@@ -6268,8 +6318,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
-        <source>The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic uses the position of the scanner where the files state it, otherwise what is seen through the openings. The log says which side was taken, why, and how certain that is.</source>
-        <translation>Die Seite, von der die Fassade gesehen wird; von der anderen Seite ist eine Ansicht gespiegelt. Automatisch verwendet die Position des Scanners, wo die Dateien sie nennen, sonst das, was durch die Öffnungen zu sehen ist. Das Protokoll sagt, welche Seite genommen wurde, warum und wie sicher das ist.</translation>
+        <source>The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic uses the position of the scanner where the files state it, otherwise what is seen through the openings. The log says which side was taken, why, and how certain that is. In a folder of every facade, it applies to the chosen one; the side of the others is found.</source>
+        <translation>Die Seite, von der die Fassade gesehen wird; von der anderen Seite ist eine Ansicht gespiegelt. Automatisch verwendet die Position des Scanners, wo die Dateien sie nennen, sonst das, was durch die Öffnungen zu sehen ist. Das Protokoll sagt, welche Seite genommen wurde, warum und wie sicher das ist. In einem Ordner aller Fassaden gilt sie für die gewählte; die Seite der übrigen wird gefunden.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6543,6 +6593,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
+        <translation>%1 enthält ein Objekt, das nicht gelesen werden kann (%2); es berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
         <translation>%1 enthält keine Linien oder Polygone; eines zeichnen oder das Feld leer lassen.</translation>
     </message>
@@ -6718,8 +6773,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Of each coordinate of a surveyed point. 0 holds the surveyed points fixed.</source>
-        <translation>Jeder Koordinate eines eingemessenen Punktes. 0 hält die eingemessenen Punkte fest.</translation>
+        <source>Of each coordinate of a surveyed point. 0 holds the surveyed points fixed; if targets have standard deviations of their own, 0 takes the one of targets without.</source>
+        <translation>Jeder Koordinate eines eingemessenen Punktes. 0 hält die eingemessenen Punkte fest; haben Zielmarken eigene Standardabweichungen, nimmt 0 die der Zielmarken ohne eigene.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -6955,11 +7010,6 @@
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>Density from which a pixel may be wall. If not set, it is derived from the density of the horizontal surfaces and written to the log. Raise it if clutter is taken for walls.</source>
         <translation>Dichte, ab der ein Pixel Wand sein kann. Wenn leer, wird sie aus der Dichte der waagrechten Flächen abgeleitet und ins Protokoll geschrieben. Erhöhen, wenn Störobjekte für Wände gehalten werden.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/walls.py"/>
-        <source>standard deviations</source>
-        <translation>Standardabweichungen</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/walls.py"/>

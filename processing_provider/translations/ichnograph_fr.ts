@@ -222,6 +222,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las.py"/>
+        <source>The coordinates of %1 lie in steps of %2 m, the scale in its header; export it with a scale of 0.001 m or finer.</source>
+        <translation>Les coordonnées de %1 varient par pas de %2 m, l&#x27;échelle de son en-tête ; exportez-le avec une échelle de 0.001 m ou plus fine.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
         <source>%1 has coordinates that are not numbers because the scale or offset in its header is not valid; export it again.</source>
         <translation>%1 a des coordonnées qui ne sont pas des nombres, car l&#x27;échelle ou le décalage de son en-tête n&#x27;est pas valide ; exportez-le à nouveau.</translation>
     </message>
@@ -366,7 +371,6 @@
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>%1 gives coordinates in %2; they were converted to metres.</source>
         <translation>%1 donne les coordonnées en %2 ; elles ont été converties en mètres.</translation>
     </message>
@@ -529,6 +533,11 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The columns of %1 after x y z have no names and were left out.</source>
         <translation>Les colonnes de %1 après x y z n&#x27;ont pas de nom et ont été écartées.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
+        <translation>%1 des premières lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été lues comme points, car leur premier champ est un nom.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -811,6 +820,11 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
+        <translation>Ligne %1 de %2 : la dimension « %3 » de %4 figure deux fois ; supprimez une entrée.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 gives lengths in %2; they were converted to metres.</source>
         <translation>%1 donne les longueurs en %2 ; elles ont été converties en mètres.</translation>
     </message>
@@ -826,13 +840,18 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
-        <source>Line %1 of %2: the %3 of %4 is listed twice; remove one entry.</source>
-        <translation>Ligne %1 de %2 : la dimension « %3 » de %4 figure deux fois ; supprimez une entrée.</translation>
+        <source>%1 of facade %2</source>
+        <translation>%1 de la façade %2</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>Line %1 of %2: the %3 %4 is not a length in metres.</source>
         <translation>Ligne %1 de %2 : %3 %4 n&#x27;est pas une longueur en mètres.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2: the %3 %4 is not a standard deviation.</source>
+        <translation>Ligne %1 de %2 : %3 %4 n&#x27;est pas un écart-type.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
@@ -874,8 +893,8 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
-        <source>%1 has no length of %2; use the ids of the schedule in both.</source>
-        <translation>%1 n&#x27;a aucune longueur de %2 ; utilisez dans les deux fichiers les numéros (id) de la nomenclature.</translation>
+        <source>%1 has no length of %2; use the ids of the schedule in both, and its column facade if it has one.</source>
+        <translation>%1 n&#x27;a aucune longueur de %2 ; utilisez dans les deux fichiers les numéros (id) de la nomenclature, et sa colonne facade si elle en a une.</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/lengths.py"/>
@@ -1864,6 +1883,11 @@
         <translation>%1 des coordonnées planes non corrigées de l&#x27;altération linéaire ; %2.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/lists/covariances.py"/>
+        <source>The standard deviations in %1 are %2 m in the median; check their unit.</source>
+        <translation>Les écarts-types de %1 sont de %2 m en médiane ; vérifiez leur unité.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
         <source>%1 has no table (.dbf) beside it, so its points have no names; copy all its parts.</source>
         <translation>%1 n&#x27;a pas de table (.dbf) à côté de lui, ses points n&#x27;ont donc pas de nom ; copiez toutes ses parties.</translation>
@@ -1975,6 +1999,17 @@
         <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>line %1</source>
         <translation>ligne %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <location filename="../../processing_provider/parameters/walls.py"/>
+        <source>standard deviations</source>
+        <translation>écarts-types</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>%1 gives %2 in %3; they were converted to metres.</source>
+        <translation>%1 donne %2 en %3 ; elles ont été converties en mètres.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
@@ -2477,8 +2512,8 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>standard deviation of a target</source>
-        <translation>écart-type d&#x27;une cible</translation>
+        <source>standard deviation of a target without its own</source>
+        <translation>écart-type d&#x27;une cible qui n&#x27;a pas le sien</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2896,6 +2931,11 @@
         <location filename="../../algorithms/registration/registration.py"/>
         <source>No list of targets was given; choose at least one.</source>
         <translation>Aucune liste de cibles n&#x27;a été donnée ; choisissez-en au moins une.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/registration.py"/>
+        <source>Targets have standard deviations of their own, so control points are not held fixed but count with SIGMA, %1 mm; set CONTROL_SIGMA to the standard deviation of the survey.</source>
+        <translation>Des cibles ont leurs propres écarts-types ; les points d&#x27;appui ne sont donc pas tenus fixes mais comptent avec SIGMA, %1 mm ; mettez CONTROL_SIGMA à l&#x27;écart-type du levé.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
@@ -3996,6 +4036,11 @@
         <translation>nombre</translation>
     </message>
     <message>
+        <location filename="../../algorithms/tables/degrees.py"/>
+        <source>x and y of %1 seem to be degrees, because they have many more decimals than z; reproject them to a projected coordinate reference system in metres.</source>
+        <translation>x et y de %1 semblent être des degrés, car ils ont bien plus de décimales que z ; reprojetez-les dans un système projeté en mètres.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/tables/dialect.py"/>
         <source>%1 holds no points because all lines with numbers begin with #, // or ;, as remarks do; remove these signs.</source>
         <translation>%1 ne contient aucun point, car toutes les lignes de nombres commencent, comme des commentaires, par #, // ou ; ; retirez ces signes.</translation>
@@ -4059,6 +4104,11 @@
         <location filename="../../algorithms/tables/header.py"/>
         <source>Line %1 of %2, below the names of the columns, is not a row of numbers; correct or remove that line.</source>
         <translation>La ligne %1 de %2, sous les noms des colonnes, n&#x27;est pas une ligne de nombres ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
+        <source>The remarks in %1 state several units, %2; correct them.</source>
+        <translation>Les commentaires de %1 indiquent plusieurs unités, %2 ; corrigez-les.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
@@ -4432,8 +4482,8 @@
     </message>
     <message>
         <location filename="../../algorithms/targets/station_search.py"/>
-        <source>tiles nearby</source>
-        <translation>carreaux proches</translation>
+        <source>crossings nearby</source>
+        <translation>croisements proches</translation>
     </message>
     <message>
         <location filename="../../algorithms/vector.py"/>
@@ -6268,8 +6318,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
-        <source>The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic uses the position of the scanner where the files state it, otherwise what is seen through the openings. The log says which side was taken, why, and how certain that is.</source>
-        <translation>Le côté d&#x27;où la façade est vue ; vue de l&#x27;autre côté, une élévation est inversée en miroir. Automatique utilise la position du scanner si les fichiers l&#x27;indiquent, sinon ce qui est vu à travers les ouvertures. Le journal dit quel côté a été retenu, pourquoi, et avec quelle certitude.</translation>
+        <source>The side from which the facade is seen; seen from the other side, an elevation is mirrored. Automatic uses the position of the scanner where the files state it, otherwise what is seen through the openings. The log says which side was taken, why, and how certain that is. In a folder of every facade, it applies to the chosen one; the side of the others is found.</source>
+        <translation>Le côté d&#x27;où la façade est vue ; vue de l&#x27;autre côté, une élévation est inversée en miroir. Automatique utilise la position du scanner si les fichiers l&#x27;indiquent, sinon ce qui est vu à travers les ouvertures. Le journal dit quel côté a été retenu, pourquoi, et avec quelle certitude. Dans un dossier de toutes les façades, il vaut pour celle qui est choisie ; le côté des autres est trouvé.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6543,6 +6593,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
+        <translation>%1 contient une forme qui ne peut pas être lue (%2) ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
         <translation>%1 n&#x27;a ni lignes ni polygones ; dessinez-en, ou laissez-le vide.</translation>
     </message>
@@ -6718,8 +6773,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Of each coordinate of a surveyed point. 0 holds the surveyed points fixed.</source>
-        <translation>De chaque coordonnée d&#x27;un point levé. 0 tient fixes les points levés.</translation>
+        <source>Of each coordinate of a surveyed point. 0 holds the surveyed points fixed; if targets have standard deviations of their own, 0 takes the one of targets without.</source>
+        <translation>De chaque coordonnée d&#x27;un point levé. 0 tient fixes les points levés ; si des cibles ont leurs propres écarts-types, 0 prend celui des cibles qui n&#x27;en ont pas.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -6955,11 +7010,6 @@
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>Density from which a pixel may be wall. If not set, it is derived from the density of the horizontal surfaces and written to the log. Raise it if clutter is taken for walls.</source>
         <translation>Densité à partir de laquelle un pixel peut être mur. Si vide, elle est déduite de la densité des surfaces horizontales et écrite dans le journal. Augmentez-la si de l&#x27;encombrement est pris pour des murs.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/walls.py"/>
-        <source>standard deviations</source>
-        <translation>écarts-types</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/walls.py"/>
