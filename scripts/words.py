@@ -16,6 +16,7 @@ WORDS = {
     "collinear",
     "colour",
     "column",
+    "coordinates",
     "count",
     "curved",
     "decimetres",

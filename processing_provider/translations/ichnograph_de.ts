@@ -2002,6 +2002,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>standard deviations</source>
         <translation>Standardabweichungen</translation>
