@@ -181,6 +181,8 @@ class Algorithm(QgsProcessingAlgorithm):
             with _without_deprecations(), compilation_announced(log.info):
                 outcome = self.compute({**values, **wanted}, log)
             styles = _write(files, outcome, sources, log, self._labels())
+            for output, path in files.items():
+                log.warn(output.warnings(path, outcome.writers[output.name]))
         focus = [str(path) for output, path in files.items() if output.focus]
         show_when_loaded(styles, focus, context)
         self._layers = [str(path) for path in styles]

@@ -90,6 +90,7 @@ ALIASES = {
     "doubt": "Reason of the doubt",
     "origin": "Origin",
     **{f"s{axis}": f"Standard deviation, {axis} (m)" for axis in "xyz"},
+    **{f"r{axes}": f"Correlation, {axes[0]} and {axes[1]}" for axes in ("xy", "xz", "yz")},
     "scans": "Number of scans",
     "seen_by": "Seen by",
 }

@@ -110,9 +110,12 @@ def open_scans(paths: Sequence[Union[str, Path]], settings: ReadingSettings = Re
     Raises
     ------
     InputError
-        As `open_cloud`, but reference systems do not matter.
+        As `open_cloud`, but reference systems in metres may differ.
     """
     sources = open_sources(paths, settings)
+    for source in sources:
+        if source.crs:
+            require_metres(source.crs, str(source.path))
     warnings = tuple(sentence for source in sources for sentence in source.warnings)
     return Cloud(sources=sources, origin=np.zeros(3), crs=None, warnings=warnings)
 

@@ -12,7 +12,7 @@ from ..geometry.triangulation import triangulate
 from .colour.appearance import Appearance
 from .colour.steps import reason_against_colour
 from .elevation import COLOURED, Frame, LeftOut, Points, Segmentation, frame_of
-from .outlines.acceptance import is_opening, is_regular
+from .outlines.acceptance import is_regular, reason_against_opening
 from .outlines.alpha_shape import alpha_shape
 from .outlines.details import TracedDetail
 from .outlines.regular_outlines import Outline, make_outline
@@ -23,7 +23,6 @@ from .settings import ALL_REGIONS, FacadeSettings
 SURFACE = "surface"
 """The kind of a plane that is left out."""
 
-FEW_SIDES = "fewer than three straight sides were seen, as of damage or a shadow"
 NOT_STRAIGHT = "no straight sides, as of a stain"
 BEHIND = "parallel to the wall, but not a part of it"
 OBLIQUE = "at {:.0f} degrees to the wall"
@@ -54,7 +53,7 @@ def reason_against(
     """
     acceptance = settings.outlines.acceptance
     if item.opening is not None:
-        return None if is_opening(item.opening, item.border, outline, acceptance) else FEW_SIDES
+        return reason_against_opening(item.opening, item.border, outline, acceptance)
     if item.kind != COLOURED or settings.coloured == ALL_REGIONS or looks is None:
         return None
     if not settings.regularise:

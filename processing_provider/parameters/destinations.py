@@ -90,6 +90,10 @@ class Destination(Parameter):
         """Return the definitions of outputs besides the file itself."""
         return []
 
+    def warnings(self, path: Path, writer: Any) -> list[str]:
+        """Return what the user should know about what was there before, in sentences."""
+        return []
+
     def results(self, path: Path, writer: Any) -> dict[str, Any]:
         """Return the values of all outputs of this destination, by name."""
         return {self.name: str(path)}

@@ -34,6 +34,7 @@ FOLDER = FolderDestination(
     optional=True,
     by_default=False,
     listing="ALL_FILES",
+    parts="facade_*",
     styles=(("elevation", "elevation"), ("details", "facade_details"), ("left_out", "facade_left_out")),
 )
 

@@ -26,11 +26,14 @@ class FolderDestination(Destination):
     ----------
     listing : str
         Name of a further output, the list of the files; models cannot pass folders on.
+    parts : str
+        Pattern of the names of the folders in it, of which a run may make fewer than one before.
     styles : tuple of (str, str)
         The styles of its layers by their names without extensions.
     """
 
     listing: str = ""
+    parts: str = ""
     styles: tuple[tuple[str, str], ...] = ()
     extensions = ()
 
@@ -55,6 +58,18 @@ class FolderDestination(Destination):
     def further_outputs(self) -> list[QgsProcessingOutputDefinition]:
         """Return the definition of the list of files."""
         return [QgsProcessingOutputMultipleLayers(self.listing, translated(f"{self.label}, one by one"))]
+
+    def warnings(self, path: Path, writer: FolderWriters) -> list[str]:
+        """Return a sentence on folders of an earlier run, which this one does not write."""
+        written = {Path(name).parts[0] for name in writer}
+        names = sorted(item.name for item in path.glob(self.parts)) if self.parts else []
+        old = [name for name in names if name not in written]
+        if not old:
+            return []
+        return [
+            f"{self.name} {path} still holds {', '.join(old)} of an earlier run; this one did not write it. "
+            "Remove it, or choose a new folder."
+        ]
 
     def results(self, path: Path, writer: FolderWriters) -> dict[str, Any]:
         """Return the folder and the list of its new files."""

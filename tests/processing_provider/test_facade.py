@@ -300,15 +300,19 @@ def test_the_chosen_facade_of_the_folder_is_that_of_the_other_outputs(every):
     assert (first[0]["azimuth"] - second[0]["azimuth"]) % 360 == pytest.approx(180, abs=0.1)
 
 
-def test_a_line_along_a_facade_chooses_it_and_limits_the_folder_to_it(run, building, tmp_path):
+def test_a_line_along_a_facade_chooses_it_and_limits_the_folder_to_it(run, building, tmp_path, feedback):
     yard = shapes(tmp_path / "line.gpkg", LineString([(412_001, 5_812_009), (412_011, 5_812_009)]))
+    (tmp_path / "facades" / "facade_01").mkdir(parents=True)
     result = run(
-        "facadedetails", INPUT=building, FACADE_ALONG=yard, ELEVATION=str(tmp_path / "elevation.gpkg"),
-        ALL=str(tmp_path / "facades"),
+        "facadedetails", feedback, INPUT=building, FACADE_ALONG=yard,
+        ELEVATION=str(tmp_path / "elevation.gpkg"), ALL=str(tmp_path / "facades"),
     )  # fmt: skip
 
     assert np.cos(np.radians(rows(result["ELEVATION"])[0]["azimuth"])) == pytest.approx(1, abs=1e-3)
-    assert [path.name for path in sorted((tmp_path / "facades").iterdir())] == ["facade_02", "schedule.csv"]
+    names = [path.name for path in sorted((tmp_path / "facades").iterdir())]
+    assert names == ["facade_01", "facade_02", "schedule.csv"]
+    assert not list((tmp_path / "facades" / "facade_01").iterdir())
+    assert any("still holds facade_01 of an earlier run" in warning for warning in feedback.warnings)
 
 
 def test_a_layer_without_shapes_along_a_facade_is_refused_and_nothing_is_written(run, building, tmp_path):

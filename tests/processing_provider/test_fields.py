@@ -7,9 +7,10 @@ from ichnograph.algorithms.evaluation import plan_layer
 from ichnograph.algorithms.facade.output import elevation_layers, plane_layers
 from ichnograph.algorithms.registration.output import layers as registration
 from ichnograph.algorithms.site_plan.output import layers as site_plan
+from ichnograph.algorithms.targets.output import layer as targets
 from ichnograph.processing_provider.fields import ALIASES, aliases_of
 
-MODULES = (plan_layer, elevation_layers, plane_layers, registration, site_plan)
+MODULES = (plan_layer, elevation_layers, plane_layers, registration, site_plan, targets)
 
 
 @pytest.mark.parametrize("module", MODULES)

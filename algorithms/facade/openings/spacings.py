@@ -49,4 +49,7 @@ def closed_wall(wall: np.ndarray, spacings: np.ndarray, size: float) -> np.ndarr
     if not wall.any() or not reach.any():
         return wall
     grown = ndimage.distance_transform_edt(~wall) <= reach
+    if grown.all():
+        # Without a background, there are no distances to it.
+        return grown
     return wall | (ndimage.distance_transform_edt(np.pad(grown, 1, mode="edge"))[1:-1, 1:-1] > reach) & grown

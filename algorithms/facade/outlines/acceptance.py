@@ -1,6 +1,7 @@
 """Which holes and colours of a wall are details: those with enough straight sides that were seen."""
 
 import math
+from typing import Optional
 
 from ..elevation import FREE
 from ..openings.content import Opening
@@ -8,14 +9,21 @@ from .border import Border
 from .regular_outlines import Outline
 from .settings import AcceptanceSettings
 
+FEW_SIDES = "fewer than three straight sides were seen, as of damage or a shadow"
+SHALLOW = "shallow and small, as of damage of the stone"
+UNSEEN = "nothing was seen behind it, so that the wall may not have been scanned there"
+LOW = "low, and without head and sill, as of a gap between things on the ground"
+OPEN = "not bounded by the wall all around"
+RAGGED = "ragged, as of damage or a shadow"
 
-def is_opening(
+
+def reason_against_opening(
     opening: Opening,
     border: Border,
     outline: Outline,
     settings: AcceptanceSettings = AcceptanceSettings(),
-) -> bool:
-    """Whether a hole is an opening, and not damage of the stone or the shadow of something in front.
+) -> Optional[str]:
+    """Return why a hole is no opening, but damage or the shadow of something in front; None if it is one.
 
     Parameters
     ----------
@@ -28,26 +36,31 @@ def is_opening(
     shallow = opening.depth > -settings.damage_m
     narrow = settings.narrow_m * (2 if outline.shape == FREE else 1)
     if shallow and min(right - left, top - bottom) < narrow:
-        return False
+        return SHALLOW
     measured = _measured(outline)
     if outline.shape == FREE:
-        return _is_hole(opening, border, outline, settings) and len(measured) >= settings.measured
+        few = len(measured) < settings.measured
+        return _reason_against_free(opening, border, outline, settings) or (FEW_SIDES if few else None)
     # Where a door stands on the ground, the wall cannot bound it.
     bounded = measured | ({"bottom"} & set(opening.open_sides))
     if math.isnan(opening.depth) and len(bounded) < len(vars(outline.edges)):
-        # Nothing was seen behind the wall, so it may be a part of it that was not scanned.
-        return False
+        return UNSEEN
     if not measured & {"top", "bottom"} and top - bottom < settings.lowest_gap_m:
-        return False
-    return len(measured) >= settings.measured and len(bounded) >= settings.bounded
+        return LOW
+    enough = len(measured) >= settings.measured and len(bounded) >= settings.bounded
+    return None if enough else FEW_SIDES
 
 
-def _is_hole(opening: Opening, border: Border, outline: Outline, settings: AcceptanceSettings) -> bool:
-    """Whether a free shape is bounded by the wall, and something was seen behind it."""
-    if math.isnan(opening.depth) or set(opening.open_sides) - {"bottom"} or not len(border.seen):
-        return False
-    whole = outline.polygon.area >= settings.solid * outline.polygon.convex_hull.area
-    return bool(whole and border.seen.mean() >= settings.seen)
+def _reason_against_free(
+    opening: Opening, border: Border, outline: Outline, settings: AcceptanceSettings
+) -> Optional[str]:
+    """Return why a free shape is no hole of the wall, behind which something was seen."""
+    if math.isnan(opening.depth):
+        return UNSEEN
+    if outline.polygon.area < settings.solid * outline.polygon.convex_hull.area:
+        return RAGGED
+    bounded = len(border.seen) and border.seen.mean() >= settings.seen
+    return OPEN if set(opening.open_sides) - {"bottom"} or not bounded else None
 
 
 def is_regular(outline: Outline, settings: AcceptanceSettings = AcceptanceSettings()) -> bool:

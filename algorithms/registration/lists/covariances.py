@@ -34,7 +34,12 @@ def covariances_of(stds: np.ndarray, correlations: np.ndarray) -> np.ndarray:
     return np.where(known[:, None, None], matrix * stds[:, :, None] * stds[:, None, :], np.nan)
 
 
-def warnings_on(source: str, stds: np.ndarray, settings: ListSettings = ListSettings()) -> tuple[str, ...]:
+def warnings_on(
+    source: str,
+    stds: np.ndarray,
+    covariances: np.ndarray,
+    settings: ListSettings = ListSettings(),
+) -> tuple[str, ...]:
     """Return what the user should know about the standard deviations of a list, in sentences.
 
     Parameters
@@ -43,10 +48,21 @@ def warnings_on(source: str, stds: np.ndarray, settings: ListSettings = ListSett
         What messages call the list.
     stds : ndarray, shape (n, 3)
         Metres.
+    covariances : ndarray, shape (n, 3, 3)
+        Of `covariances_of`.
     settings : ListSettings
     """
+    warnings = []
+    lacking = int(np.isnan(covariances[:, 0, 0]).sum())
+    if lacking:
+        warnings.append(
+            f"{lacking} of the {len(stds)} points in {source} count like points without standard deviations, "
+            "because one of these is missing or not positive, or the correlations contradict each other."
+        )
     known = stds[np.isfinite(stds)]
     median = float(np.median(known)) if len(known) else 0.0
-    if median <= settings.largest_median_std_m:
-        return ()
-    return (f"The standard deviations in {source} are {median:.3g} m in the median; check their unit.",)
+    if median > settings.largest_median_std_m:
+        warnings.append(
+            f"The standard deviations in {source} are {median:.3g} m in the median; check their unit."
+        )
+    return tuple(warnings)

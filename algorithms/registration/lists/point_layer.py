@@ -14,10 +14,10 @@ import numpy as np
 from ...errors import CancelledError, InputError
 from ...reference_systems import parse_layer_wkt
 from ...shapefile import lacks_table, refuse_damaged
-from ...tables.column_names import POINTS, simplified
+from ...tables.column_names import POINTS, recognised, simplified
 from ...tables.header import metres_of
 from ...tables.units import unit_of
-from .covariances import CORRELATIONS, STDS, covariances_of
+from .covariances import CORRELATIONS, STDS, covariances_of, warnings_on
 from .point_rows import Rows
 from .settings import ListSettings
 
@@ -94,28 +94,37 @@ def read_features(
     names = _names(source, attributes)
     places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
     origins, stds = _appended(attributes)
+    covariances, doubts = _covariances(source, attributes, settings)
     return Rows(
         source=source,
         places=places,
         names=names,
         xyz=xyz,
         crs=parse_layer_wkt(wkt, source),
-        warnings=warnings,
+        warnings=(*warnings, *doubts),
         origins=origins,
         stds=stds,
-        covariances=_covariances(attributes),
+        covariances=covariances,
     )
 
 
-def _covariances(attributes: list[Attributes]) -> Optional[np.ndarray]:
-    """Return the covariances of the points, None if the layer has no standard deviations."""
-    if not set(STDS) <= attributes[0].keys():
-        return None
+def _covariances(
+    source: str, attributes: list[Attributes], settings: ListSettings
+) -> tuple[Optional[np.ndarray], tuple[str, ...]]:
+    """Return the covariances of the points, None if the layer has no standard deviations, and warnings."""
+    fields = list(attributes[0])
+    columns = {role: fields[column] for role, column in recognised(fields, POINTS).items()}
+    if not set(STDS) <= columns.keys():
+        return None, ()
     stds, correlations = (
-        np.array([[_number(values.get(field)) for field in fields] for values in attributes])
-        for fields in (STDS, CORRELATIONS)
+        np.array([[_number(values.get(columns.get(role, ""))) for role in roles] for values in attributes])
+        for roles in (STDS, CORRELATIONS)
     )
-    return covariances_of(stds, correlations)
+    stds = stds * [metres_of(Path(source), unit_of(columns[role])) for role in STDS]
+    covariances = covariances_of(stds, correlations)
+    # Surveyed points that an earlier registration held fixed have standard deviations of 0.
+    doubts = () if CONTROL_OUT.issubset(fields) else warnings_on(source, stds, covariances, settings)
+    return covariances, doubts
 
 
 def _appended(attributes: list[Attributes]) -> tuple[tuple[str, ...], Optional[np.ndarray]]:

@@ -92,7 +92,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
     dialect = Dialect(delimiter, signs[0], width, signs[1])
     _refuse_bad_rows(path, rows, dialect, columns)
     xyz = _numbers_in(columns.xyz, rows.values(), dialect)
-    stds, covariances = _uncertainties(path, columns, rows.values(), dialect, header)
+    covariances, doubts = _covariances(path, columns, rows.values(), dialect, header, settings)
     return Rows(
         source=str(path),
         places=tuple(f"line {number}" for number in rows),
@@ -101,7 +101,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         covariances=covariances,
         warnings=(
             *_converted(path, header),
-            *warnings_on(str(path), stds, settings),
+            *doubts,
             *_warnings(path, rows.values(), columns),
             *_marked(path, lines, delimiter, width),
             *degree_warning(path, coordinates, dialect),
@@ -113,22 +113,28 @@ def _numbers_in(columns: tuple[int, ...], rows: Iterable[list[str]], dialect: Di
     return np.array([[dialect.number(row[column]) for column in columns] for row in rows])
 
 
-def _uncertainties(
-    path: Path, columns: ListColumns, rows: Iterable[list[str]], dialect: Dialect, header: Header
-) -> tuple[np.ndarray, Optional[np.ndarray]]:
-    """Return the standard deviations (m) and the covariances of the points, None if the file has none.
+def _covariances(
+    path: Path,
+    columns: ListColumns,
+    rows: Iterable[list[str]],
+    dialect: Dialect,
+    header: Header,
+    settings: ListSettings,
+) -> tuple[Optional[np.ndarray], tuple[str, ...]]:
+    """Return the covariances of the points, None if the file has no standard deviations, and warnings.
 
     Standard deviations without a unit have that of their coordinate.
     """
     if not columns.stds:
-        return np.empty((0, 3)), None
+        return None, ()
     rows = list(rows)
     units = [header.units.get(std, header.units.get(axis)) for std, axis in zip(STDS, COORDINATES)]
     stds = _numbers_in(columns.stds, rows, dialect) * [metres_of(path, unit) for unit in units]
     correlations = np.zeros(stds.shape)
     if columns.correlations:
         correlations = _numbers_in(columns.correlations, rows, dialect)
-    return stds, covariances_of(stds, correlations)
+    covariances = covariances_of(stds, correlations)
+    return covariances, warnings_on(str(path), stds, covariances, settings)
 
 
 def _converted(path: Path, header: Header) -> tuple[str, ...]:

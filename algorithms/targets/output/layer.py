@@ -9,6 +9,7 @@ from shapely.geometry import Point
 
 from ...vector import write_vector
 from ..results import StationTargets, TargetSearch
+from .lists import correlations_of
 
 TEXT = 80
 """Most letters of a text."""
@@ -19,7 +20,8 @@ FIELDS = {
     "kind": f"str:{TEXT}",
     "size": "float:10.4",
     "std": "float:12.6",
-    **dict.fromkeys(("sx", "sy", "sz"), "float:12.6"),
+    **dict.fromkeys(("sx", "sy", "sz"), "float:12.7"),
+    **dict.fromkeys(("rxy", "rxz", "ryz"), "float:9.6"),
     "points": "int",
     "range": "float:12.3",
     "incidence": "float:8.2",
@@ -28,8 +30,8 @@ FIELDS = {
     "doubt": "str:254",
 }
 """Fields of the layer. The name is the row in the list of the scan, null for doubtful targets; std is the
-standard deviation of the centre in space, sx to sz are those along the axes, range is the distance from the
-scanner, metres; incidence in degrees."""
+standard deviation of the centre in space, sx to sz are those along the axes, rxy to ryz their correlations;
+range is the distance from the scanner, metres; incidence in degrees."""
 
 
 def write_targets(search: TargetSearch, path: Path) -> None:
@@ -56,6 +58,7 @@ def _features(station: StationTargets) -> Iterator[tuple[Point, dict[str, Any]]]
                 "size": target.size,
                 "std": target.std,
                 **dict(zip(("sx", "sy", "sz"), map(float, deviations))),
+                **dict(zip(("rxy", "rxz", "ryz"), map(float, correlations_of(target.covariance)))),
                 "points": target.points,
                 "range": float(np.linalg.norm(target.xyz)),
                 "incidence": target.incidence_deg,

@@ -58,14 +58,24 @@ def write_list(station: StationTargets, path: Path) -> None:
     lines = [" ".join(COLUMNS)]
     for target in station.sure:
         stds = np.sqrt(np.diag(target.covariance))
-        correlations = (target.covariance / np.outer(stds, stds))[(0, 0, 1), (1, 2, 2)]
         lines.append(
             " ".join(
                 [f"{value:.{DECIMALS}f}" for value in station.place(target)]
                 + [f"{value:.{STD_DECIMALS}f}" for value in stds]
-                + [f"{value:.{CORRELATION_DECIMALS}f}" for value in correlations]
+                + [f"{value:.{CORRELATION_DECIMALS}f}" for value in correlations_of(target.covariance)]
             )
         )
     text = "\n".join(lines) + "\n"
     with atomic_output(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
+
+
+def correlations_of(covariance: np.ndarray) -> np.ndarray:
+    """Return the correlations between x and y, x and z, y and z.
+
+    Parameters
+    ----------
+    covariance : ndarray of float64, shape (3, 3)
+    """
+    stds = np.sqrt(np.diag(covariance))
+    return np.asarray((covariance / np.outer(stds, stds))[(0, 0, 1), (1, 2, 2)])

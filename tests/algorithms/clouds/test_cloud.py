@@ -111,8 +111,10 @@ def test_different_reference_systems_are_refused(tmp_path):
 
 @pytest.mark.parametrize("epsg", [4326, 2992])
 def test_degrees_and_feet_are_refused(tmp_path, epsg):
-    with pytest.raises(InputError, match=r"a\.las are in .*; reproject"):
-        open_cloud([las(tmp_path / "a.las", [[11.5, 48.1, 500.0]], epsg)])
+    path = las(tmp_path / "a.las", [[11.5, 48.1, 500.0]], epsg)
+    for read in (open_cloud, open_scans):
+        with pytest.raises(InputError, match=r"a\.las are in .*; reproject"):
+            read([path])
     with pytest.raises(InputError, match="the chosen coordinate reference system are in"):
         open_cloud([text(tmp_path / "b.xyz", SECOND)], CRS.from_epsg(epsg))
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import COLOURED, OPENING, LeftOut
-from ichnograph.algorithms.facade.left_out import FEW_SIDES, OBLIQUE, SURFACE, summary
+from ichnograph.algorithms.facade.left_out import OBLIQUE, SURFACE, summary
 from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.outlines.acceptance import RAGGED
 from ichnograph.tests.algorithms.facade.samples import bare, lattice, upright
 from shapely.geometry import box
 
@@ -45,5 +46,5 @@ def test_a_ragged_hole_is_left_out_with_the_area_of_the_wall_that_is_missing():
     elevation = measure_facade(bare(np.concatenate([wall[~hole], behind])))
     (damage,) = elevation.left_out
     assert elevation.details == ()
-    assert damage.reason == FEW_SIDES
+    assert damage.reason == RAGGED
     assert damage.area == pytest.approx(hole.sum() * STEP**2, rel=0.15)

@@ -53,3 +53,9 @@ def test_where_points_are_dense_nothing_is_closed():
     grid, cells = grid_of(without(lattice(0, 0, 3, 4, DENSE), 1.0, 1.0, 1.06, 2.5))
     wall = grid.holds(cells)
     assert (closed_wall(wall, local_spacings(cells, grid), grid.size) == wall).all()
+
+
+def test_a_wall_whose_gaps_are_all_within_the_spacing_is_closed_everywhere():
+    wall = np.zeros((40, 60), bool)
+    wall[::4, ::4] = True
+    assert closed_wall(wall, np.full(wall.shape, 0.5), 0.1).all()

@@ -7,9 +7,19 @@ import pytest
 from ichnograph.algorithms.facade.elevation import FREE, RECESS, RECTANGLE, Edges
 from ichnograph.algorithms.facade.openings.content import DOOR, Opening
 from ichnograph.algorithms.facade.openings.regions import Region
-from ichnograph.algorithms.facade.outlines.acceptance import is_opening, is_regular
+from ichnograph.algorithms.facade.outlines.acceptance import (
+    FEW_SIDES,
+    LOW,
+    OPEN,
+    RAGGED,
+    SHALLOW,
+    UNSEEN,
+    is_regular,
+    reason_against_opening,
+)
 from ichnograph.algorithms.facade.outlines.border import Border
 from ichnograph.algorithms.facade.outlines.regular_outlines import Outline
+from ichnograph.algorithms.facade.output.elevation_layers import LEFT_OUT_FIELDS
 from shapely.geometry import Polygon, box
 
 NOT = float("nan")
@@ -23,50 +33,49 @@ def outline(left=0.001, right=0.001, bottom=0.001, top=0.001, polygon=SHAPE, sha
     return Outline(shape, None, polygon, Edges(left, right, bottom, top), 0.001)
 
 
-@pytest.mark.parametrize(("hidden", "accepted"), [
-    ((), True), (("top",), True), (("top", "left"), False), (("top", "left", "right"), False),
+@pytest.mark.parametrize(("hidden", "reason"), [
+    ((), None), (("top",), None), (("top", "left"), FEW_SIDES), (("top", "left", "right"), FEW_SIDES),
 ])  # fmt: skip
-def test_three_sides_are_enough(hidden, accepted):
-    assert is_opening(HOLE, BORDER, outline(**dict.fromkeys(hidden, NOT))) == accepted
+def test_three_sides_are_enough(hidden, reason):
+    assert reason_against_opening(HOLE, BORDER, outline(**dict.fromkeys(hidden, NOT))) == reason
 
 
 def test_the_ground_is_a_side_of_a_door():
     door = replace(HOLE, open_sides=("bottom",))
     high = outline(bottom=NOT, top=NOT, polygon=box(0, 0, 1, 2))
-    assert is_opening(door, BORDER, high)
-    assert not is_opening(replace(HOLE, open_sides=("top",)), BORDER, high)
+    assert reason_against_opening(door, BORDER, high) is None
+    assert reason_against_opening(replace(HOLE, open_sides=("top",)), BORDER, high) == FEW_SIDES
 
 
 def test_a_low_hole_without_head_and_sill_is_a_gap_between_things_on_the_ground():
     low = outline(bottom=NOT, top=NOT, polygon=box(0, 0, 1, 0.6))
-    assert not is_opening(replace(HOLE, open_sides=("bottom",)), BORDER, low)
+    assert reason_against_opening(replace(HOLE, open_sides=("bottom",)), BORDER, low) == LOW
 
 
 def test_where_nothing_was_seen_behind_the_wall_all_sides_must_be_measured():
     empty = replace(HOLE, depth=NOT)
-    assert is_opening(empty, BORDER, outline())
-    assert not is_opening(empty, BORDER, outline(top=NOT))
-    assert not is_opening(empty, BORDER, outline(shape=FREE))
+    assert reason_against_opening(empty, BORDER, outline()) is None
+    assert reason_against_opening(empty, BORDER, outline(top=NOT)) == UNSEEN
+    assert reason_against_opening(empty, BORDER, outline(shape=FREE)) == UNSEEN
 
 
 def test_shallow_small_holes_are_damage():
     stone = outline(polygon=box(0, 0, 0.4, 0.2))
-    assert not is_opening(replace(HOLE, depth=-0.06), BORDER, stone)
-    assert is_opening(replace(HOLE, depth=-0.3), BORDER, stone)
-    assert is_opening(replace(HOLE, depth=-0.06), BORDER, outline())
+    assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, stone) == SHALLOW
+    assert reason_against_opening(replace(HOLE, depth=-0.3), BORDER, stone) is None
+    assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, outline()) is None
 
 
 def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():
     gable = outline(polygon=Polygon([(0, 0), (1, 0), (0.5, 1)]), shape=FREE)
     ragged = outline(polygon=SHAPE.difference(box(0.2, 0.2, 1, 0.8)), shape=FREE)
 
-    assert is_opening(HOLE, BORDER, gable)
-    assert not is_opening(HOLE, BORDER, ragged)
-    assert not is_opening(HOLE, replace(BORDER, seen=np.arange(10) < 5), gable)
-    assert not is_opening(replace(HOLE, open_sides=("left",)), BORDER, gable)
-    assert not is_opening(
-        replace(HOLE, depth=-0.06), BORDER, outline(polygon=box(0, 0, 0.5, 0.5), shape=FREE)
-    )
+    assert reason_against_opening(HOLE, BORDER, gable) is None
+    assert reason_against_opening(HOLE, BORDER, ragged) == RAGGED
+    assert reason_against_opening(HOLE, replace(BORDER, seen=np.arange(10) < 5), gable) == OPEN
+    assert reason_against_opening(replace(HOLE, open_sides=("left",)), BORDER, gable) == OPEN
+    small = outline(polygon=box(0, 0, 0.5, 0.5), shape=FREE)
+    assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, small) == SHALLOW
 
 
 def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():
@@ -74,3 +83,8 @@ def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():
     assert is_regular(outline(top=NOT))
     assert not is_regular(outline(top=NOT, left=NOT))
     assert not is_regular(outline(shape=FREE))
+
+
+@pytest.mark.parametrize("reason", [FEW_SIDES, LOW, OPEN, RAGGED, SHALLOW, UNSEEN])
+def test_a_reason_fits_into_its_field(reason):
+    assert len(reason) <= int(LEFT_OUT_FIELDS["reason"].partition(":")[2])

@@ -243,7 +243,18 @@ def test_fields_of_standard_deviations_are_read_with_correlations_if_there_are_a
         {"sx": None, "sy": 1.0, "sz": 1.0, "rxy": 0},
     ]
     path = write_layer(tmp_path / "a.gpkg", XYZ[:2], schema, values)
-    covariances = read_point_list(path).covariances
+    points = read_point_list(path)
+    covariances = points.covariances
 
+    assert any("1 of the 2 points in" in warning for warning in points.warnings)
     assert covariances[0] == pytest.approx(np.array([[1e-6, 1e-6, 0], [1e-6, 4e-6, 0], [0, 0, 9e-6]]))
     assert np.isnan(covariances[1]).all()
+
+
+def test_fields_of_standard_deviations_have_the_names_and_units_that_columns_have(tmp_path):
+    schema = dict.fromkeys(("SX_mm", "StdY_mm", "sigma_z_mm", "Corr_XY"), "float")
+    values = [{"SX_mm": 1.0, "StdY_mm": 2.0, "sigma_z_mm": 3.0, "Corr_XY": 0.5}] * 2
+    points = read_point_list(write_layer(tmp_path / "a.gpkg", XYZ[:2], schema, values))
+
+    expected = np.array([[1e-6, 1e-6, 0], [1e-6, 4e-6, 0], [0, 0, 9e-6]])
+    assert points.covariances[0] == pytest.approx(expected)

@@ -83,7 +83,9 @@ def test_standard_deviations_and_correlations_are_read_by_their_names(tmp_path):
     ]
     points = read_point_list(write(tmp_path, "\n".join(rows)))
 
-    assert points.names == ("A", "B") and points.warnings == ()
+    assert points.names == ("A", "B")
+    (warning,) = points.warnings
+    assert "1 of the 2 points in" in warning and "count like points without standard deviations" in warning
     assert points.covariances[0] == pytest.approx(
         np.array([[1e-6, 0, 1.5e-6], [0, 4e-6, 0], [1.5e-6, 0, 9e-6]])
     )

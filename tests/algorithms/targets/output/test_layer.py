@@ -1,7 +1,11 @@
 """The layer of targets."""
 
+from dataclasses import replace
+
 import fiona
+import numpy as np
 import pytest
+from ichnograph.algorithms.registration.lists.point_list import read_point_list
 from ichnograph.algorithms.targets.output.layer import write_targets
 from ichnograph.algorithms.targets.results import Kind
 from ichnograph.tests.algorithms.targets.made_targets import search, station, target
@@ -20,3 +24,13 @@ def test_every_target_is_a_point_with_its_measures(tmp_path, name):
     assert (first["incidence"], first["doubtful"], first["doubt"]) == (12.0, 0, None)
     assert (second["name"], second["incidence"]) == (None, None)
     assert (second["doubtful"], second["doubt"]) == (1, "few points")
+
+
+def test_the_registration_reads_the_covariances_of_the_layer(tmp_path):
+    covariance = np.array([[4.0, 1.0, -2.0], [1.0, 1.0, 0.5], [-2.0, 0.5, 9.0]]) * 1e-6
+    write_targets(
+        search(station("hall", replace(target(), covariance=covariance))), tmp_path / "targets.gpkg"
+    )
+
+    points = read_point_list(tmp_path / "targets.gpkg")
+    np.testing.assert_allclose(points.covariances, [covariance], rtol=1e-3, atol=1e-11)
