@@ -163,8 +163,8 @@ facade-peers: setup  ## Print how long a facade takes, and how planes and outlin
 sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
 
-cancel: setup  ## Print how long a cancel takes, and the longest time without progress, for every algorithm
-	$(RUN) -m ichnograph.benchmarks.cancel
+cancel: setup  ## Print how long a cancel takes, and the longest time without progress, for every algorithm (POINTS=, CPU=)
+	$(RUN) -m ichnograph.benchmarks.cancel $(if $(POINTS),--points $(POINTS)) $(if $(CPU),--cpu)
 
 leaks: setup  ## Print how memory and open files grow over 200 runs of every algorithm (E57=)
 	$(RUN) -m ichnograph.benchmarks.leaks $(if $(E57),--e57 $(E57))

@@ -17,7 +17,7 @@ from ..source import Chunk, Source, no_points, unreadable
 from . import E57_PACKAGES
 from .coordinate_steps import step_warning
 from .e57_scan import CARTESIAN, COLOUR, INVALID, SPHERICAL, Scan, describe, plain_name
-from .normals import find_normals
+from .normals import find_normals, unnamed_normals
 from .stated_crs import read_crs
 from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
@@ -77,7 +77,12 @@ class E57Source(Source):
         return cls(
             path=path,
             crs=crs,
-            warnings=(*warnings, *doubts, *_unlike(path, scans)),
+            warnings=(
+                *warnings,
+                *doubts,
+                *_unlike(path, scans),
+                *unnamed_normals(path, {name: sample[name] for name in first.attributes}),
+            ),
             middle=np.median(_positions(sample, first), axis=0),
             has_intensity=any("intensity" in scan.fields for scan in scans),
             has_rgb=any(set(COLOUR) <= set(scan.fields) for scan in scans),

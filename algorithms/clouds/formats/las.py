@@ -19,6 +19,7 @@ from .coordinate_steps import step_warning
 from .geotiff_keys import parse_geotiff_keys
 from .las_layout import count_warning
 from .las_reader import EVERYTHING, LARGEST_BLOCK, Selection, can_seek, open_reader, read_records, seek
+from .normals import unnamed_normals
 from .stated_crs import read_crs
 from .value_ranges import scaled_colour
 
@@ -80,6 +81,7 @@ class LasSource(Source):
                 *count_warning(path),
                 *_left_out(path, 1 - share),
                 *(_coarse_scale(path, header.scales) or step_warning(path, xyz)),
+                *unnamed_normals(path, _extra(sample, header.point_format)),
             ),
             middle=np.median(xyz, axis=0),
             has_intensity=bool(sample["intensity"].any()),
@@ -171,6 +173,15 @@ def _left_out(path: Path, share: float) -> tuple[str, ...]:
         f"{share:.1%} of the points of {path} are flagged as withheld or classified as noise, and are left "
         "out; change their class where they are wanted.",
     )
+
+
+def _extra(sample: np.ndarray, point_format: laspy.PointFormat) -> dict[str, np.ndarray]:
+    """Return the single numbers among the extra dimensions, by name."""
+    return {
+        item.name: sample[item.name] * np.ravel(1.0 if item.scales is None else item.scales)[0]
+        for item in point_format.extra_dimensions
+        if sample[item.name].ndim == 1
+    }
 
 
 def _coarse_scale(

@@ -15,6 +15,7 @@ from ...tables.header import metres_of, stated_unit
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
 from .coordinate_steps import step_warning
+from .normals import unnamed_normals
 from .number_table import read_numbers
 from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
 
@@ -127,7 +128,11 @@ class PlySource(Source):
         return cls(
             path=path,
             crs=None,
-            warnings=(*_converted(path, layout), *step_warning(path, positions, (layout.metres,) * 3)),
+            warnings=(
+                *_converted(path, layout),
+                *step_warning(path, positions, (layout.metres,) * 3),
+                *unnamed_normals(path, {name: sample[name] for name in _others(layout, xyz, intensity, rgb)}),
+            ),
             middle=np.median(positions, axis=0) * layout.metres,
             has_intensity=intensity is not None,
             has_rgb=rgb is not None,
@@ -142,12 +147,8 @@ class PlySource(Source):
     @property
     def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
         """See `Source.attributes`."""
-        used = (*self.xyz, self.intensity, *(self.rgb or ()))
-        return tuple(
-            (name, self.layout.dtype[name].newbyteorder("="))
-            for name in self.layout.dtype.names
-            if name not in used
-        )
+        names = _others(self.layout, self.xyz, self.intensity, self.rgb)
+        return tuple((name, self.layout.dtype[name].newbyteorder("=")) for name in names)
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
@@ -170,6 +171,13 @@ def _named(dtype: np.dtype, names: tuple[str, ...]) -> Optional[tuple[str, ...]]
     """Return the properties with names in any letters, of which all are needed."""
     spelt = {name.lower(): name for name in reversed(dtype.names or ())}
     return tuple(spelt[name] for name in names) if set(names) <= spelt.keys() else None
+
+
+def _others(
+    layout: Layout, xyz: tuple[str, ...], intensity: Optional[str], rgb: Optional[tuple[str, ...]]
+) -> list[str]:
+    """Return the properties that are none of these."""
+    return [name for name in layout.dtype.names or () if name not in (*xyz, intensity, *(rgb or ()))]
 
 
 def _intensity(dtype: np.dtype) -> Optional[str]:

@@ -23,6 +23,7 @@ from ...tables.header import read_preamble
 from ...tables.units import factor_of
 from ..settings import TextSettings
 from .line_samples import sample_lines
+from .normals import unnamed_normals
 from .text_columns import Columns, columns_by_count, columns_by_name
 
 
@@ -90,6 +91,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=(
             *warnings,
+            *_unnamed_normals(path, values, columns),
             *_converted(path, header.units),
             *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
             *_taken(path, marked),
@@ -126,6 +128,13 @@ def _taken(path: Path, marked: list[int]) -> tuple[str, ...]:
         f"{len(marked)} of the first rows of {path}, the first in line {marked[0] + 1}, begin as remarks do "
         "and were read as points, because their first field is a name.",
     )
+
+
+def _unnamed_normals(path: Path, values: np.ndarray, columns: Columns) -> tuple[str, ...]:
+    """Return a sentence on named columns that seem to be normals."""
+    used = (*columns.used, *(columns.normals or ()))
+    others = {f"column {n + 1}": values[:, n] for n in range(values.shape[1]) if n not in used}
+    return () if columns.normals else unnamed_normals(path, others)
 
 
 def _converted(path: Path, units: dict[str, str]) -> tuple[str, ...]:
