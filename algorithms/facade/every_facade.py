@@ -84,11 +84,14 @@ def measure_every(
     progress : Progress
     """
     settings = replace(settings, side=AUTOMATIC)
-    wanted = first.selection.wanted or (None,)
-    drawn, warnings = [first], []
+    wanted = first.selection.wanted
+    numbers = [facade.number for facade in wanted]
+    # A cloud without facades is measured as it is.
+    drawn = [first] if first.number in numbers or not numbers else []
+    warnings: list[str] = []
     for number, facade in enumerate(wanted):
         part = progress.part(number / len(wanted), (number + 1) / len(wanted))
-        if facade is None or facade.number == first.number:
+        if facade.number == first.number:
             continue
         developments = [item.selection.development for item in drawn]
         if any(known is not None and known.holds(facade.ends.mean(axis=0)) for known in developments):

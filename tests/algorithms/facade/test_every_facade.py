@@ -59,6 +59,13 @@ def test_facades_are_those_along_the_lines_where_lines_are_given(points):
     ] == [2]
 
 
+def test_a_chosen_facade_that_no_line_runs_along_is_not_one_of_them(points):
+    north = LineString([(412_000, 5_812_008.5), (412_012, 5_812_008.5)])
+    chosen = measure_selection(select_facade(points, SETTINGS, number=1, shapes=[north]), SETTINGS)
+    assert chosen.number == 1
+    assert [item.number for item in measure_every(chosen, SETTINGS).drawn] == [2]
+
+
 def test_a_polygon_of_a_building_has_all_its_facades(points):
     building = box(412_000, 5_812_000, 412_012, 5_812_008)
     assert [facade.number for facade in select_facade(points, SETTINGS, shapes=[building]).wanted] == [1, 2]
