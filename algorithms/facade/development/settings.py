@@ -37,10 +37,14 @@ class SidesSettings:
     )
     cube_m: float = judged(0.1, "Side of the cubes whose normals show the sides.")
     upright_deg: float = physical(10.0, "Sides lean less.")
-    corner_m: float = judged(0.4, "Two sides meet if their ends are this near to the corner between them.")
+    corner_m: float = judged(
+        0.6, "Two sides meet if their ends are this near to the corner; planes have squares of 25 cm."
+    )
     least_deg: float = judged(10.0, "Sides that turn by less are one wall.")
     most_deg: float = physical(75.0, "Sharper corners are those of buildings, with another facade beyond.")
     least_height: float = judged(0.4, "A side has this part of the height of the main one.")
+    walled: float = judged(0.25, "Where less of its height is wall, a bay stands before a wall, or a gate.")
+    gap_m: float = physical(0.5, "Bays are wider.")
     narrowest_m: float = physical(0.3, "A narrower side is a jamb or a pilaster.")
 
 

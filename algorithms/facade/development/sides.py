@@ -30,8 +30,12 @@ class _Side:
     height: float
 
     @property
+    def length(self) -> float:
+        return float(np.linalg.norm(self.stop - self.start))
+
+    @property
     def right(self) -> np.ndarray:
-        return np.asarray((self.stop - self.start) / np.linalg.norm(self.stop - self.start))
+        return np.asarray((self.stop - self.start) / self.length)
 
 
 def find_sides(
@@ -56,12 +60,16 @@ def find_sides(
     if not found:
         return None
     outward = found[0].normal if wanted is None else wanted.normal
-    main, *others = (_side(patch, outward if number == 0 else None) for number, patch in enumerate(found))
+    runs = _runs(found[0], outward, settings)
+    if not runs:
+        return None
+    main = max(runs, key=lambda side: side.length)
+    others = [side for side in runs if side is not main]
+    others += [side for patch in found[1:] for side in _runs(patch, None, settings)]
     others = [
         side
         for side in others
-        if np.linalg.norm(side.stop - side.start) >= settings.narrowest_m
-        and side.height >= settings.least_height * main.height
+        if side.length >= settings.narrowest_m and side.height >= settings.least_height * main.height
     ]
     left = _grown(main, others, -1, settings)
     right = _grown(main, others, 1, settings)
@@ -78,17 +86,30 @@ def _is_like(patch: Patch, wanted: Plane, distance: float) -> bool:
     return bool(abs(patch.normal @ wanted.normal) > np.cos(np.radians(10)) and away <= 2 * distance)
 
 
-def _side(patch: Patch, outward: Optional[np.ndarray]) -> _Side:
-    """Return a plane in plan; its ends are in order only if its outward side is known."""
+def _runs(patch: Patch, outward: Optional[np.ndarray], settings: SidesSettings) -> list[_Side]:
+    """Return a plane in plan, in the runs that a bay before it leaves; above the bay it may go on.
+
+    The ends of a run are in order only if its outward side is known.
+    """
     level = patch.normal[:2] / np.linalg.norm(patch.normal[:2])
     if outward is not None and level @ outward[:2] < 0:
         level = -level
     right = np.array([-level[1], level[0]])
     squares = patch.centres_of_squares()
     along = (squares[:, :2] - patch.anchor[:2]) @ right
-    low, high = along.min() - 0.5 * patch.side, along.max() + 0.5 * patch.side
-    start, stop = (patch.anchor[:2] + end * right for end in (low, high))
-    return _Side(start, stop, float(np.ptp(squares[:, 2])))
+    columns = np.floor((along - along.min()) / patch.side + 0.5).astype(np.int64)
+    counts = np.bincount(columns)
+    height = float(np.ptp(squares[:, 2]))
+    walled = np.flatnonzero(counts * patch.side >= settings.walled * height)
+    if not len(walled):
+        return []
+    breaks = np.flatnonzero(np.diff(walled) * patch.side > settings.gap_m) + 1
+    sides = []
+    for run in np.split(walled, breaks):
+        ends = along.min() + patch.side * np.array([run[0] - 0.5, run[-1] + 0.5])
+        start, stop = patch.anchor[:2] + ends[:, None] * right
+        sides.append(_Side(start, stop, height))
+    return sides
 
 
 def _grown(main: _Side, others: Sequence[_Side], sense: int, settings: SidesSettings) -> list[_Side]:

@@ -81,4 +81,7 @@ def _is_alike(
     middle = np.median(other, axis=0)
     away = float(np.linalg.norm(np.median(own, axis=0) - middle))
     scatter = float(np.linalg.norm(sigma_about_median(other, axis=0)))
-    return away <= max(settings.sigmas * scatter, settings.alike * float(np.linalg.norm(middle)))
+    if looks.shape[1] > 1:
+        # Weathered walls have so many colours that a door would be one of them.
+        return away <= settings.colour
+    return away <= max(settings.sigmas * scatter, settings.alike * float(middle[0]))

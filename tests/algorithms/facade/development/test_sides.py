@@ -18,6 +18,13 @@ def test_a_wall_with_a_canted_bay_has_five_sides():
     np.testing.assert_allclose(chain.corners[[0, -1]], np.array(BAY)[[0, -1]], atol=0.3)
 
 
+def test_above_a_bay_the_wall_may_go_on():
+    wall = sides([(0, 0), (9.6, 0)], top=5.6)
+    above = wall[(wall[:, 0] > 3) & (wall[:, 0] < 6.6) & (wall[:, 2] > 5)]
+    chain = find_sides(np.concatenate([sides(BAY), above]), None, DISTANCE)
+    np.testing.assert_allclose(chain.corners[1:-1], np.array(BAY)[1:-1], atol=0.02)
+
+
 def test_the_main_side_is_the_wanted_one():
     other = Plane(np.array([0.0, -1.0, 0.0]), np.array([1.5, 0.0, 2.0]), 0.002, 100)
     assert find_sides(sides(BAY), other, DISTANCE).main == 0
