@@ -46,8 +46,7 @@ def test_side_applies_to_the_chosen_facade_only():
     selection = select_facade(bare(turned, ORIGIN), settings)
     chosen = next(facade for facade in selection.facades if facade.azimuth < 180)
     selection = selection.of(chosen, settings)
-    elevation = measure_facade(selection.points, settings, wanted=selection.plane)
-    every = measure_every(DrawnFacade(chosen.number, selection, elevation), settings)
+    every = measure_every(measure_selection(selection, settings), settings)
     assert sorted(item.elevation.frame.azimuth for item in every.drawn) == pytest.approx([90, 270], abs=0.1)
 
 
