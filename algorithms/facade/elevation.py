@@ -6,6 +6,7 @@ from typing import Optional, Union
 import numpy as np
 from shapely.geometry import MultiPolygon, Polygon
 
+from .development.curves import Circle, Curve
 from .planes.side import Side
 
 OPENING, RECESS, COLOURED, PROJECTION = "opening", "recess", "coloured detail", "projection"
@@ -320,6 +321,9 @@ class Elevation:
         From which the facade is seen, how sure that is, and why.
     parts : tuple of WallPart
         The main wall first.
+    curve : Circle or Chain, or None
+        Along which the facade was rolled out, in the coordinates of the site; None of a flat one. The frame
+        is then that of the plane that touches it.
     """
 
     frame: Frame
@@ -332,3 +336,16 @@ class Elevation:
     left_out: tuple[LeftOut, ...] = ()
     side: Optional[Side] = None
     parts: tuple[WallPart, ...] = ()
+    curve: Optional[Curve] = None
+
+    @property
+    def radius(self) -> Optional[float]:
+        """Of a round tower that is rolled out (m)."""
+        return self.curve.radius if isinstance(self.curve, Circle) else None
+
+    def world(self, uvw: np.ndarray) -> np.ndarray:
+        """Return the coordinates in the site, shape (n, 3), of points (u, v, w)."""
+        flat = self.frame.world(uvw)
+        if self.curve is None:
+            return flat
+        return np.column_stack([self.curve.site(flat[:, :2]), flat[:, 2]])

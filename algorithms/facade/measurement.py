@@ -220,7 +220,7 @@ def _elevation(
         tuple(translate(part, -left, -bottom) for part in unseen),
         wall.spacing,
         _shown(scene, settings),
-        (*_doubts(side, frame, settings), *_limits(points)),
+        (*_doubts(side, frame, settings), *_limits(points, settings)),
         tuple(
             replace(item, shape=translate(item.shape, -left, -bottom))
             for item in sorted(left_out, key=lambda item: -item.area)
@@ -265,8 +265,10 @@ def _doubts(side: Side, frame: Frame, settings: FacadeSettings) -> Iterator[str]
         )
 
 
-def _limits(points: Points) -> Iterator[str]:
+def _limits(points: Points, settings: FacadeSettings) -> Iterator[str]:
     """Yield what could not be done with the points, in sentences."""
+    if settings.coloured == NO_REGIONS:
+        return
     if points.rgb is None:
         yield "The points have no colour, so only openings, recesses and projections are found."
     elif points.intensity is None:

@@ -11,6 +11,7 @@ from shapely.geometry.base import BaseGeometry
 from ..progress import Progress
 from .buildings.choice import along, around, choose
 from .buildings.facades import Facade, find_facades
+from .development.development import FLAT, Development, develop
 from .elevation import Plane, Points
 from .settings import FacadeSettings
 
@@ -33,6 +34,8 @@ class Selection:
         Of the points of the chosen facade, and of what stands near, before and behind it; None for all.
     even : ndarray of float64, shape (k, 2)
         Points of the whole cloud in plan, for the key plan.
+    development : Development or None
+        How the points are rolled out before they are measured; None for a flat facade.
     """
 
     facades: tuple[Facade, ...]
@@ -41,24 +44,47 @@ class Selection:
     whole: Points
     rows: Optional[np.ndarray]
     even: np.ndarray
+    development: Optional[Development] = None
 
     @property
     def points(self) -> Points:
         """The points that are measured; copied at each call, so that facades that wait take no memory."""
-        return self.whole if self.rows is None else self.whole.subset(self.rows)
+        points = self.whole if self.rows is None else self.whole.subset(self.rows)
+        return points if self.development is None else self.development.flat(points)
 
     @property
     def plane(self) -> Optional[Plane]:
         """The plane that becomes the main one; None if no facade was found."""
+        if self.development is not None:
+            return self.development.plane
         if self.chosen is None:
             return None
         return Plane(self.chosen.normal, self.chosen.anchor, float("nan"), self.chosen.points)
 
+    def unrolled(self, settings: FacadeSettings = FacadeSettings()) -> "Selection":
+        """Return the facade as UNROLL wants it: as it is, or rolled out.
+
+        Raises
+        ------
+        NothingFoundError
+            If its wall does not turn.
+        """
+        if settings.unroll == FLAT:
+            return self
+        rows = None
+        if self.chosen is not None:
+            wide = replace(settings.buildings, around_m=settings.development.reach_m)
+            rows = around(self.whole.xyz, self.chosen, wide)
+        points = self.whole if rows is None else self.whole.subset(rows)
+        found = develop(points, settings.unroll, self.plane, settings.distance_m, settings.development)
+        return replace(self, rows=rows, development=found)
+
     def of(self, facade: Facade, settings: FacadeSettings = FacadeSettings()) -> "Selection":
         """Return the same cloud with another facade chosen."""
         if len(self.facades) == 1:
-            return self
-        return replace(self, chosen=facade, rows=around(self.whole.xyz, facade, settings.buildings))
+            return replace(self, development=None)
+        rows = around(self.whole.xyz, facade, settings.buildings)
+        return replace(self, chosen=facade, rows=rows, development=None)
 
 
 def select_facade(

@@ -6,6 +6,7 @@ from typing import Optional
 from ..settings import judged, physical
 from .buildings.settings import BuildingSettings
 from .colour.settings import ColourSettings
+from .development.settings import DevelopmentSettings
 from .openings.settings import OpeningSettings
 from .outlines.settings import OutlineSettings
 from .output.settings import OrthoimageSettings
@@ -85,6 +86,8 @@ class FacadeSettings:
     side : int
         SIDE: 0 if it is found from the points; 1 if the facade faces the eastern half of the horizon, 2 if
         it faces the western one.
+    unroll : int
+        UNROLL: `FLAT`, `SIDES` or `ROUND` of `development.development`.
     coloured : int
         COLOURED: `CLEAR_REGIONS`, `ALL_REGIONS` or `NO_REGIONS`.
     row_m : float
@@ -110,10 +113,12 @@ class FacadeSettings:
     min_area_m2: Optional[float] = None
     regularise: bool = True
     side: int = 0
+    unroll: int = 0
     coloured: int = CLEAR_REGIONS
     row_m: float = judged(0.5, "Details whose centres differ by less in height may share a row of numbers.")
     thinning: ThinningSettings = field(default_factory=ThinningSettings)
     buildings: BuildingSettings = field(default_factory=BuildingSettings)
+    development: DevelopmentSettings = field(default_factory=DevelopmentSettings)
     planes: PlaneSettings = field(default_factory=PlaneSettings)
     openings: OpeningSettings = field(default_factory=OpeningSettings)
     colour: ColourSettings = field(default_factory=ColourSettings)

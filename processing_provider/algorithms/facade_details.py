@@ -110,8 +110,7 @@ class FacadeDetailsAlgorithm(Algorithm):
 
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Measure the facade."""
-        from ...algorithms.facade.every_facade import DrawnFacade, measure_every
-        from ...algorithms.facade.measurement import measure_facade
+        from ...algorithms.facade.every_facade import measure_every, measure_selection
         from ...algorithms.facade.points import read_points
         from ...algorithms.facade.selection import select_facade
         from ...algorithms.facade.settings import FacadeSettings
@@ -129,10 +128,10 @@ class FacadeDetailsAlgorithm(Algorithm):
             log.progress.part(0.2, 0.35),
         )
         first = log.progress.part(0.35, 0.5 if values["ALL"] else 0.95)
-        elevation = measure_facade(selection.points, settings, first, selection.plane)
+        drawn = measure_selection(selection, settings, first)
+        elevation = drawn.elevation
         log.warn(elevation.warnings)
         _log(elevation, log)
-        drawn = DrawnFacade(selection.chosen.number if selection.chosen else 1, selection, elevation)
         make = partial(facade_writers, values=values, settings=settings, crs=cloud.crs)
         writers: dict[str, Any] = make(drawn, with_report=bool(values["REPORT"]))
         if values["ALL"]:

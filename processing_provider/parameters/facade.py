@@ -193,6 +193,17 @@ REGULARISE = Flag(
     default=True,
 )
 
+UNROLL = Choice(
+    "UNROLL",
+    "Facades that turn",
+    "A flat facade has one plane. Sides: the sides of a canted bay or a polygonal tower that meet at the "
+    "facade are drawn beside each other, each in its own plane. Round: a round tower is rolled out, so that "
+    "u runs along the arc of its outer face; the log states the radius. In a folder of every facade, those "
+    "that do not turn are drawn flat.",
+    options=("Flat", "Sides of a bay or a tower", "Round tower"),
+    optional=True,
+)
+
 COLOURED = Choice(
     "COLOURED",
     "Coloured details",
@@ -236,6 +247,7 @@ SETTINGS = {
     "alpha_m": ALPHA,
     "min_area_m2": MIN_AREA,
     "regularise": REGULARISE,
+    "unroll": UNROLL,
     "coloured": COLOURED,
 }
 """The parameters by the names of their settings in the core."""

@@ -10,6 +10,7 @@ import pytest
 import rasterio
 from ichnograph.algorithms.vector import write_vector
 from ichnograph.tests.algorithms.facade.buildings.sites import block, upright
+from ichnograph.tests.algorithms.facade.development.towers import ground, round_wall
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.__main__ import write_laz, write_truth
 from shapely.geometry import LineString, box
@@ -362,3 +363,25 @@ def test_what_is_left_out_is_a_layer_and_a_line_of_the_log(run, tmp_path, feedba
     (stain,) = rows(result["LEFT_OUT"])
     assert (stain["kind"], "stain" in stain["reason"]) == ("coloured detail", True)
     assert any(info.startswith("Left out: 1 of kind coloured detail") for info in feedback.infos)
+
+
+def test_a_round_tower_is_rolled_out_and_its_radius_is_in_the_log_and_the_fields(run, tmp_path, feedback):
+    tower = np.concatenate([round_wall((3, 4), 3.0, 100, 260), ground(-3, -6, 9, 0.9)]) + ORIGIN
+    np.savetxt(tmp_path / "tower.xyz", tower, "%.4f")
+    result = run(
+        "facadedetails", feedback, INPUT=str(tmp_path / "tower.xyz"), UNROLL=2,
+        ELEVATION=str(tmp_path / "elevation.gpkg"), DETAILS=str(tmp_path / "details.gpkg"),
+    )  # fmt: skip
+
+    (wall, *_) = rows(result["ELEVATION"])
+    assert wall["radius"] == pytest.approx(3.0, abs=0.01)
+    assert wall["width"] == pytest.approx(3.0 * np.radians(160), rel=0.01)
+    assert any("radius of 3.0" in text or "radius of 2.99" in text for text in feedback.steps)
+
+
+def test_a_flat_facade_is_not_rolled_out(run, building, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="No round wall"):
+        run("facadedetails", INPUT=building, UNROLL=2, ELEVATION=str(tmp_path / "elevation.gpkg"))
+    assert list(tmp_path.iterdir()) == []

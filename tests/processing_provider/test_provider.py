@@ -82,7 +82,7 @@ CONTRACT = {
     ),
     "facadedetails": (
         {"INPUT", "CRS", "SIDE", "MIN_AREA", "REGULARISE", "PIXEL_SIZE", "FILL_HOLES"}
-        | {"FACADE_NEAR", "FACADE_ALONG", "COLOURED", "ALL"}
+        | {"FACADE_NEAR", "FACADE_ALONG", "COLOURED", "UNROLL", "ALL"}
         | {*FACADE}
         | FACADE_FILES,
         {"DETAIL_COUNT", "FACADE_COUNT", "WALL_AREA", "SCHEDULE_PAGE", "ALL", "ALL_FILES"} | FACADE_FILES,

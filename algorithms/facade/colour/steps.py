@@ -66,7 +66,7 @@ def reason_against_colour(
     Parameters
     ----------
     points : ndarray of float64, shape (n, 2)
-        u, v of the points of the wall.
+        u, v of the points of the wall, ordered by v as those of a `Surface` are.
     looks : Appearance
         Of the points.
     outline : Polygon
@@ -79,9 +79,7 @@ def reason_against_colour(
     if _width(outline) < max(settings.narrowest_m, settings.narrowest_spacings * spacing):
         return NARROW
     reach = settings.far_spacings * spacing
-    left, bottom, right, top = outline.bounds
-    low, high = np.array([left, bottom]) - reach, np.array([right, top]) + reach
-    near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
+    near = _near(points, outline, reach)
     stations, distances = _positions(points[near], outline, spacing, settings)
     seen = _medians(looks.rgb[near].astype(float), stations, distances, spacing, settings)
     if not len(seen.inner):
@@ -102,6 +100,14 @@ def reason_against_colour(
     return WEATHERED if np.median(decisive.steps) < settings.texture_sigmas * texture else None
 
 
+def _near(points: np.ndarray, outline: Polygon, reach: float) -> np.ndarray:
+    """Return the rows of the points within a distance of the box of an outline (m)."""
+    left, bottom, right, top = outline.bounds
+    first, last = np.searchsorted(points[:, 1], (bottom - reach, top + reach))
+    u = points[first:last, 0]
+    return np.asarray(first + np.flatnonzero((u > left - reach) & (u < right + reach)))
+
+
 def _width(outline: Polygon) -> float:
     """Return the width of a shape, which is twice its area over its perimeter if it is long (m)."""
     return float(2 * outline.area / max(outline.length, 1e-9))
@@ -111,8 +117,7 @@ def _texture(
     points: np.ndarray, values: np.ndarray, outline: Polygon, spacing: float, settings: StepSettings
 ) -> float:
     """Return the standard deviation of values around a region, over squares as long as a station."""
-    left, bottom, right, top = outline.buffer(settings.around_m).bounds
-    near = np.flatnonzero(((points > (left, bottom)) & (points < (right, top))).all(axis=1))
+    near = _near(points, outline, settings.around_m)
     near = near[~within(outline.buffer(settings.near_spacings * spacing), points[near])]
     squares = np.floor(points[near] / (settings.station_spacings * spacing)).astype(np.int64)
     _, of_point, counts = np.unique(squares, axis=0, return_inverse=True, return_counts=True)

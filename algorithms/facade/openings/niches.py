@@ -1,7 +1,6 @@
 """Blind windows and niches: openings whose whole content is a surface like that of the wall, set back."""
 
 from dataclasses import replace
-from typing import Optional
 
 import numpy as np
 from scipy.ndimage import binary_dilation, binary_erosion
@@ -33,14 +32,14 @@ def with_niches(
         Those of the states.
     settings : NicheSettings
     """
-    looks = points.rgb if points.intensity is None else points.intensity[:, None]
     return [
-        replace(opening, use=NICHE) if _is_niche(states, opening, looks, settings) else opening
+        replace(opening, use=NICHE) if _is_niche(states, opening, points, settings) else opening
         for opening in openings
     ]
 
 
-def _is_niche(states: States, opening: Opening, looks: Optional[np.ndarray], settings: NicheSettings) -> bool:
+def _is_niche(states: States, opening: Opening, points: Points, settings: NicheSettings) -> bool:
+    looks = points.rgb if points.intensity is None else points.intensity[:, None]
     if opening.kind != RECESS or (looks is None and "bottom" in opening.open_sides):
         return False
     above = states.above[opening.inside] - opening.depth
@@ -53,18 +52,28 @@ def _is_niche(states: States, opening: Opening, looks: Optional[np.ndarray], set
     covered = states.grid.holds(states.cells[even])[opening.region.box]
     if not core.any() or covered[core].mean() < settings.covered:
         return False
-    return looks is None or _is_alike(states, opening, even, looks, settings)
+    return looks is None or _is_alike(states, opening, even, looks, points.scan, settings)
 
 
 def _is_alike(
-    states: States, opening: Opening, even: np.ndarray, looks: np.ndarray, settings: NicheSettings
+    states: States,
+    opening: Opening,
+    even: np.ndarray,
+    looks: np.ndarray,
+    scan: np.ndarray,
+    settings: NicheSettings,
 ) -> bool:
-    """Whether the surface in an opening looks as the wall around it does."""
+    """Whether the surface in an opening looks as the wall around it does, to the scan that saw most of it.
+
+    Each scan has its own distance, angle of incidence and gain.
+    """
+    best = int(np.bincount(scan[even]).argmax())
+    even = even[scan[even] == best]
     image = np.zeros(states.grid.shape, bool)
     image[opening.region.box] = opening.region.image
     rounds = max(int(settings.around_m / states.grid.size), 2)
     around = binary_dilation(image, iterations=rounds).ravel()
-    wall = np.flatnonzero(states.on_wall & (states.cells >= 0))
+    wall = np.flatnonzero(states.on_wall & (states.cells >= 0) & (scan == best))
     wall = wall[around[states.cells[wall]]]
     if not len(wall):
         return False
@@ -72,4 +81,7 @@ def _is_alike(
     middle = np.median(other, axis=0)
     away = float(np.linalg.norm(np.median(own, axis=0) - middle))
     scatter = float(np.linalg.norm(sigma_about_median(other, axis=0)))
-    return away <= max(settings.sigmas * scatter, settings.alike * float(np.linalg.norm(middle)))
+    if looks.shape[1] > 1:
+        # Weathered walls have so many colours that a door would be one of them.
+        return away <= settings.colour
+    return away <= max(settings.sigmas * scatter, settings.alike * float(middle[0]))

@@ -118,11 +118,14 @@ class NicheSettings:
     """Openings with nothing but wall in them."""
 
     even_m: float = physical(0.02, "The back of a niche is as even as the wall, and no less than plaster.")
-    behind: float = judged(0.02, "Through glass and slats, more of the points are behind the surface.")
-    covered: float = judged(0.9, "The surface fills this part of the opening, beside its jambs.")
+    behind: float = judged(0.05, "Through glass and slats, more of the points are behind the surface.")
+    covered: float = judged(
+        0.75, "The surface fills this part of the opening; above the street, the sill hides the rest."
+    )
     around_m: float = judged(0.3, "The wall up to this far around is compared with it.")
-    sigmas: float = statistical(2.0, "It looks like the wall within the scatter of the points of the wall.")
-    alike: float = judged(0.1, "Or within this part of what the wall has; niches lie in shade.")
+    sigmas: float = statistical(2.0, "Its intensity is that of the wall within the scatter of its points.")
+    alike: float = judged(0.2, "Or within this part of it; panes, paint and wood differ by more.")
+    colour: float = judged(20.0, "Without intensity, its mean colour differs by less, of 0 to 255.")
 
 
 @dataclass(frozen=True)

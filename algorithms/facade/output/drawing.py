@@ -36,7 +36,7 @@ def write_drawing(path: Path, elevation: Elevation, settings: DrawingSettings = 
     """Write the elevation true to scale in u, v.
 
     Outlines are closed polylines of lines and arcs; raw outlines are on a layer that is switched off. The
-    user coordinate system FACADE holds the position of the drawing in the site.
+    user coordinate system FACADE holds the position of the drawing of a flat facade in the site.
 
     Raises
     ------
@@ -47,7 +47,8 @@ def write_drawing(path: Path, elevation: Elevation, settings: DrawingSettings = 
     """
     with write_dxf(path, LAYERS) as drawing:
         drawing.document.layers.get("RAW").off()
-        _add_frame(drawing, elevation.frame)
+        if elevation.curve is None:
+            _add_frame(drawing, elevation.frame)
         for part in elevation.wall.geoms:
             _add(drawing, part, "WALL", elevation.spacing, settings)
         for area in elevation.unseen:

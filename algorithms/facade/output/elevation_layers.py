@@ -14,6 +14,12 @@ from ..elevation import Detail, Elevation, Frame
 
 Shape = Union[Polygon, MultiPolygon]
 
+CHORD = np.radians(2.0)
+"""Lines in space follow a round wall by pieces of this angle (radians)."""
+
+SIDES_RADIUS = 0.5
+"""Stands in for the radius where a wall has sides, so that corners are passed within 2 cm (m)."""
+
 WALL, UNSEEN = "wall", "unseen"
 """Kinds of features besides those of the details."""
 
@@ -41,6 +47,7 @@ FIELDS = {
     "std_top": "float:12.5",
     "measured": "str:24",
     "completed": "str:24",
+    "radius": "float:12.4",
     "open_side": "str:24",
     "wall_depth": "float:12.4",
     "depth": "float:12.4",
@@ -76,7 +83,7 @@ def write_left_out(path: Path, elevation: Elevation) -> None:
 
 def write_details(path: Path, elevation: Elevation, crs: Optional[CRS]) -> None:
     """Write the same polygons in space, in the plane of the wall, with their areas in that plane."""
-    features = [(in_space(_multi(shape), elevation.frame), values) for shape, values in _features(elevation)]
+    features = [(_on_wall(_multi(shape), elevation), values) for shape, values in _features(elevation)]
     write_vector(path, "3D MultiPolygon", FIELDS, features, crs)
 
 
@@ -88,6 +95,30 @@ def in_space(shape: MultiPolygon, frame: Frame) -> MultiPolygon:
             for part in shape.geoms
         ]
     )
+
+
+def _on_wall(shape: MultiPolygon, elevation: Elevation) -> MultiPolygon:
+    """Return polygons in u, v as polygons on the wall, which may turn."""
+    if elevation.curve is None:
+        return in_space(shape, elevation.frame)
+    step = CHORD * (elevation.radius or SIDES_RADIUS)
+    parts = []
+    for part in shape.geoms:
+        rings = [_denser(ring, step) for ring in (part.exterior, *part.interiors)]
+        outer, *holes = (elevation.world(np.column_stack([uv, np.zeros(len(uv))])) for uv in rings)
+        parts.append(Polygon(outer, holes))
+    return MultiPolygon(parts)
+
+
+def _denser(ring: LinearRing, step: float) -> np.ndarray:
+    """Return the corners of a ring, with further ones on its edges, which follow a wall that turns."""
+    corners = np.array(ring.coords)[:, :2]
+    pieces = np.maximum(np.ceil(np.abs(np.diff(corners[:, 0])) / step).astype(int), 1)
+    edges = [
+        start + np.arange(count)[:, None] / count * (stop - start)
+        for start, stop, count in zip(corners[:-1], corners[1:], pieces)
+    ]
+    return np.concatenate([*edges, corners[-1:]])
 
 
 def frame_values(frame: Frame) -> dict[str, float]:
@@ -103,7 +134,7 @@ def known(value: Optional[float]) -> Optional[float]:
 
 def _features(elevation: Elevation) -> Iterator[tuple[Shape, dict[str, Any]]]:
     """Yield shapes and values: the wall, unseen areas, details."""
-    frame = frame_values(elevation.frame)
+    frame = {**frame_values(elevation.frame), "radius": elevation.radius}
     nothing: dict[str, Any] = dict.fromkeys(FIELDS)
     if not elevation.wall.is_empty:
         yield elevation.wall, {**nothing, **_size(elevation.wall, WALL), **frame}

@@ -13,7 +13,7 @@ def polyline(ring: LinearRing, spacing: float, settings: DrawingSettings = Drawi
     """Return the vertices of a closed polyline and the bulge of the edge after each.
 
     Vertices on a line are left out, and runs of vertices on a circle become arcs. A ring of many corners, as
-    of a broken edge, is simplified within the spacing of the points that it was measured by.
+    of a broken edge, is simplified within the scatter that the spacing of the points gives it.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def polyline(ring: LinearRing, spacing: float, settings: DrawingSettings = Drawi
     exact = _polyline(ring.simplify(settings.exact_m / 100, preserve_topology=False), settings)
     if len(exact) <= settings.most_vertices:
         return exact
-    rough = ring.simplify(spacing)
+    rough = ring.simplify(settings.ragged_spacings * spacing)
     return np.column_stack([np.array(rough.coords)[:-1, :2], np.zeros(len(rough.coords) - 1)])
 
 

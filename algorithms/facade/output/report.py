@@ -55,6 +55,7 @@ def write_report(path: Path, selection: Selection, elevation: Elevation) -> None
             (kind, reason, str(count), number(area, 2))
             for kind, reason, count, area in summary(elevation.left_out)
         ],
+        rolled_out=_rolled_out(elevation),
         warnings=elevation.warnings,
     )
 
@@ -100,6 +101,14 @@ def _seen_in_plan(even: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[
     picture = np.full((rows, columns, 3), WHITE, np.uint8)
     picture[rows - 1 - places[:, 1], places[:, 0]] = SHADE
     return picture, np.array([[low[0], low[1] + rows * size], [low[0] + columns * size, low[1]]])
+
+
+def _rolled_out(elevation: Elevation) -> str:
+    if elevation.curve is None:
+        return ""
+    if elevation.radius is None:
+        return "Its sides are rolled out beside each other: u runs along the wall."
+    return f"It is round and rolled out: u runs along the arc, on a radius of {elevation.radius:.3f} m."
 
 
 def _facade_row(facade: Facade) -> tuple[str, ...]:

@@ -31,7 +31,7 @@ OWN = ("width", "height", "sill", "area", "width_std", "height_std", "depth")
 
 COLUMNS = (
     "id", "kind", "shape", *DECIMALS, "use", "head", "measured", "completed", "open_side", "points",
-    *FRAME_FIELDS,
+    *FRAME_FIELDS, "radius",
 )  # fmt: skip
 
 
@@ -65,7 +65,7 @@ def write_common_schedule(path: Path, elevations: Mapping[int, Elevation]) -> No
 
 
 def _rows(elevation: Elevation) -> list[dict[str, Any]]:
-    frame = frame_values(elevation.frame)
+    frame = {**frame_values(elevation.frame), "radius": elevation.radius}
     return [
         {
             "id": detail.number,

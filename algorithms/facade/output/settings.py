@@ -36,6 +36,9 @@ class DrawingSettings:
     sagitta_m: float = judged(0.005, "Edges that leave the circle by more are lines.")
     uneven: float = judged(4.0, "The edges of an arc differ in length by less.")
     most_vertices: int = judged(16, "An outline with more vertices was not regular, and is simplified.")
+    ragged_spacings: float = judged(
+        2.0, "The points at a broken edge scatter by this, in point spacings; its corners are no more exact."
+    )
     text_m: float = physical(0.1, "Height of texts: 2 mm at 1:50.")
     room_m: float = physical(0.35, "A narrower detail has no room for its dimensions.")
     beside_m: float = physical(

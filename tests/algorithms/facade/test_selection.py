@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
+from ichnograph.algorithms.facade.development.development import ROUND
 from ichnograph.algorithms.facade.measurement import measure_facade
 from ichnograph.algorithms.facade.selection import select_facade
+from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.tests.algorithms.facade.buildings.sites import block, level, upright
+from ichnograph.tests.algorithms.facade.development.towers import ground, round_wall
 from ichnograph.tests.algorithms.facade.samples import bare
 
 ORIGIN = (412_000.0, 5_812_000.0, 70.0)
@@ -38,6 +41,19 @@ def test_a_cloud_of_one_facade_is_measured_as_it_is():
     assert selection.points is points
     assert abs(selection.plane.normal[1]) == pytest.approx(1, abs=0.01)
     assert selection.chosen.length == pytest.approx(8, abs=0.3)
+
+
+def test_a_round_tower_is_rolled_out_and_its_plane_touches_it():
+    tower = np.concatenate([round_wall((3, 4), 3.0, 100, 260), ground(-3, -6, 9, 0.9)])
+    selection = select_facade(bare(tower, ORIGIN)).unrolled(FacadeSettings(unroll=ROUND))
+    away = selection.plane.distances(selection.points.xyz)
+    assert selection.development.radius == pytest.approx(3.0, abs=0.01)
+    assert np.mean(np.abs(away) < 0.02) > 0.5
+
+
+def test_a_flat_facade_is_left_as_it_is():
+    selection = select_facade(site())
+    assert selection.unrolled(FacadeSettings()) is selection
 
 
 def test_a_cloud_without_facades_refuses_a_number():

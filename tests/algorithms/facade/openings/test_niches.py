@@ -57,7 +57,7 @@ def test_a_window_of_frame_and_glass_is_no_niche():
 
 
 def test_what_fills_an_opening_only_in_part_is_no_niche():
-    assert use_of(WALL, BACK[BACK[:, 1] < 2.1], intensity=1000.0) == A_WINDOW
+    assert use_of(WALL, BACK[BACK[:, 1] < 2.0], intensity=1000.0) == A_WINDOW
 
 
 def test_what_stands_on_the_ground_is_a_door_unless_it_looks_like_the_wall():
@@ -65,3 +65,18 @@ def test_what_stands_on_the_ground_is_a_door_unless_it_looks_like_the_wall():
     assert use_of(wall(GATE), leaf) == DOOR
     assert use_of(wall(GATE), leaf, intensity=400.0) == DOOR
     assert use_of(wall(GATE), leaf, intensity=1000.0) == NICHE
+
+
+def test_scans_of_different_gain_are_compared_each_with_itself():
+    states = states_of(WALL, WALL + (0.01, 0, 0), BACK, BACK + (0.01, 0, 0))
+    counts = [len(WALL), len(WALL), len(BACK), len(BACK)]
+    scan = np.repeat([0, 1, 0, 1], counts).astype(np.int32)
+
+    def use(content):
+        intensity = np.repeat([1000.0, 300.0, content * 1000, content * 300], counts).astype(np.float32)
+        points = Points(np.empty((0, 3)), np.zeros(3), None, intensity, scan)
+        (found,) = with_niches(states, fill_regions(states, find_regions(states)), points)
+        return found.use
+
+    assert use(1.0) == NICHE
+    assert use(0.7) == A_WINDOW

@@ -2,12 +2,14 @@
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import MissingPackageError
+from ichnograph.algorithms.facade.development.curves import Circle
 from ichnograph.algorithms.facade.elevation import KINDS
-from ichnograph.algorithms.facade.output.drawing import layer_of, write_drawing
+from ichnograph.algorithms.facade.output.drawing import LAYERS, layer_of, write_drawing
 from ichnograph.tests.algorithms.facade.samples import small_elevation
 from ichnograph.tests.scenes.facades.streets.openings import round_arch
 from shapely.geometry import Polygon
@@ -35,6 +37,25 @@ def test_the_drawing_is_true_to_scale_with_a_layer_for_each_kind(document):
     np.testing.assert_allclose(np.ptp(outlines["OPENING"], axis=0), (1.0, 1.5))
     (number,) = document.modelspace().query("TEXT[layer=='TEXT']")
     assert number.dxf.text == "1"
+
+
+def test_a_rectangle_has_four_vertices_where_they_were_measured(document):
+    (opening,) = document.modelspace().query("LWPOLYLINE[layer=='OPENING']")
+    corners = {(round(x, 6), round(y, 6)) for x, y in opening.get_points("xy")}
+    assert corners == {(1.0, 1.0), (2.0, 1.0), (2.0, 2.5), (1.0, 2.5)}
+
+
+def test_the_manual_names_every_layer():
+    page = (Path(__file__).parents[4] / "docs" / "facadedetails.md").read_text(encoding="utf-8")
+    table = page.split("## The drawing")[1].split("##")[0]
+    assert [name for name in LAYERS if name not in table] == []
+
+
+def test_a_tower_that_is_rolled_out_has_no_place_in_the_site(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf", reason="ezdxf is not installed")
+    tower = replace(small_elevation(), curve=Circle(np.zeros(2), 2.0, 180.0))
+    write_drawing(tmp_path / "drawing.dxf", tower)
+    assert "FACADE" not in ezdxf.readfile(tmp_path / "drawing.dxf").ucs
 
 
 def test_arches_are_drawn_as_lines_and_arcs(tmp_path):

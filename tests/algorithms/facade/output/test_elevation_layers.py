@@ -5,7 +5,8 @@ from dataclasses import replace
 import fiona
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.elevation import COLOURED, LeftOut
+from ichnograph.algorithms.facade.development.curves import Circle
+from ichnograph.algorithms.facade.elevation import COLOURED, Frame, LeftOut
 from ichnograph.algorithms.facade.output.elevation_layers import (
     FIELDS,
     LEFT_OUT_FIELDS,
@@ -87,3 +88,17 @@ def test_what_is_left_out_has_reason_and_area(tmp_path):
     assert set(row) == set(LEFT_OUT_FIELDS)
     assert (row["kind"], row["reason"], row["area"]) == (COLOURED, "no straight sides", 1.0)
     assert polygon.bounds == (2, 1, 3, 2)
+
+
+def test_details_of_a_round_tower_lie_on_its_wall_and_their_radius_is_a_field(tmp_path):
+    frame = Frame(np.array([3.0, 4.0, 0.0]), 180.0, 0.0)
+    tower = Circle(np.array([3.0, 6.0]), 2.0, 180.0)
+    write_details(tmp_path / "details.gpkg", replace(small_elevation(frame), curve=tower), None)
+    rows, _ = features(tmp_path / "details.gpkg")
+    corners = np.array(
+        [corner for polygon, _ in rows for part in polygon.geoms for corner in part.exterior.coords]
+    )
+
+    np.testing.assert_allclose(np.hypot(*(corners[:, :2] - (3, 6)).T), 2.0, atol=TOLERANCE)
+    assert {row["radius"] for _, row in rows} == {2.0}
+    assert len(corners) > 4 * len(rows) + 40

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.facade.development.curves import Circle
 from ichnograph.algorithms.facade.elevation import COLOURED, LeftOut
 from ichnograph.algorithms.facade.output.report import write_report
 from ichnograph.algorithms.facade.selection import select_facade
@@ -52,6 +53,12 @@ def test_what_is_left_out_is_added_up_by_reason(written, selection):
     page = written(selection, replace(small_elevation(), left_out=(stain, stain)))
     assert "no straight sides" in page and "2.50" in page
     assert "Left out" not in written(selection, small_elevation())
+
+
+def test_the_radius_of_a_tower_that_is_rolled_out_is_said(written, selection):
+    tower = Circle(np.array([3.0, 6.0]), 2.125, 180.0)
+    assert "on a radius of 2.125 m" in written(selection, replace(small_elevation(), curve=tower))
+    assert "rolled out" not in written(selection, small_elevation())
 
 
 def test_a_cloud_without_facades_has_no_key_plan(written):
