@@ -244,6 +244,14 @@ def _area(item: TracedDetail) -> float:
     return float(item.border.ring.area if item.opening is None else item.opening.polygon.area)
 
 
+def _raw(item: TracedDetail) -> Polygon:
+    """Return the border as traced; at the ground or the edge of a wall it is not closed, but the hole is."""
+    ring = item.border.ring
+    if item.opening is not None and ring.area < 0.5 * item.opening.polygon.area:
+        return item.opening.polygon
+    return ring
+
+
 def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
     region = None if item.opening is None else item.opening.polygon
     return make_outline(item.border, settings.regularise, settings.outlines, region)
@@ -288,7 +296,7 @@ def _detail(
         kind=item.kind,
         shape=outline.shape,
         outline=outline.polygon,
-        raw=translate(item.border.ring, u, v),
+        raw=translate(_raw(item), u, v),
         edges=outline.edges,
         rms=outline.rms,
         depth=item.depth,

@@ -119,3 +119,16 @@ def test_without_a_border_the_outline_is_the_region():
 
     assert outline.shape == FREE and outline.polygon.equals(box(0, 0, 1, 2))
     assert np.isnan(outline.edges.left)
+
+
+def test_the_feet_of_jambs_do_not_measure_a_sill_that_was_not_seen():
+    shape = Polygon([(0, 0), (1, 0), (1, 1.4), (0.8, 1.8), (0.9, 2.0), (0.2, 2.0), (0.3, 1.7), (0, 1.4)])
+    whole = border_of(shape)
+    above = whole.crossings[:, 1] > 2 * GAP
+    feet = (whole.crossings[:, 1] <= 2 * GAP) & (np.abs(whole.crossings[:, 0] - 0.5) > 0.48)
+    outline = make_outline(replace(whole, seen=above | feet), False)
+
+    assert outline.shape == FREE
+    assert np.isnan(outline.edges.bottom)
+    assert outline.edges.left < 0.005
+    assert np.isfinite(make_outline(whole, False).edges.bottom)
