@@ -90,13 +90,17 @@ def measure_facade(
     openings = fill_regions(states, regions, settings.openings.content)
     openings = with_niches(states, openings, points, settings.openings.niches)
     progress.update(0.3, "Triangulating the wall")
-    wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
+    rows = np.flatnonzero(segmentation.labels == 1)
+    wall = make_surface(scene.uvw, rows, settings, progress.part(0.3, 0.5))
     progress.update(
         0.5, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
     )
     coloured = _coloured(points, wall, settings, progress)
     progress.update(0.7, "Tracing borders")
-    traced = [*opening_details(scene, states, openings, settings)]
+    traced = []
+    for item in opening_details(scene, states, openings, settings):
+        traced.append(item)
+        progress.update(0.7 + 0.1 * len(traced) / len(openings))
     empty = stand_ins(openings, wall.spacing)
     traced += coloured_details(scene, wall, coloured, empty, settings)
     projections = _projections(segmentation, settings)
