@@ -137,12 +137,24 @@ def _side(
     edge = fit_edge(across, along, gaps[near], span, start, settings, border.spacing)
     if not edge.measured or not len(border.jambs):
         return edge
-    gap = float(np.median(gaps[near]))
-    flush = settings.edges.flush_gaps * gap + settings.noise_m
+    flush = _flush(gaps[near], border, settings)
     jamb = border.jambs[np.abs(border.jambs[:, axis] - edge.position) <= flush]
     none = np.zeros(len(jamb))
     direct = fit_edge(jamb[:, axis], jamb[:, 1 - axis], none, span, start, settings, border.spacing)
-    return direct if direct.measured else edge
+    if not direct.measured:
+        return edge
+    own = np.abs(jamb[:, axis] - direct.position) <= flush
+    start_of_jamb = -float(np.percentile(jamb[own, 2], 90))
+    # What begins deeper in the wall is a frame, which may be narrower or wider than the opening.
+    return direct if start_of_jamb <= settings.jambs.start_m + border.spacing else edge
+
+
+def _flush(gaps: np.ndarray, border: Border, settings: OutlineSettings) -> float:
+    """Return how far a jamb may lie from where the wall ends (m)."""
+    edges, gap = settings.edges, float(np.median(gaps))
+    flush = edges.flush_gaps * gap
+    # The wall ends within a spacing of its edge, and its border is in the middle of that.
+    return (min(flush, 0.5 * border.spacing) if border.spacing > 0 else flush) + settings.noise_m
 
 
 def _head(border: Border, sides: _Sides, settings: OutlineSettings) -> Optional[Head]:
@@ -154,8 +166,8 @@ def _head(border: Border, sides: _Sides, settings: OutlineSettings) -> Optional[
     head = fit_head(points[between], gaps[between], (left, right), settings, border.spacing)
     if head is None:
         return None
-    flush = settings.edges.flush_gaps * float(np.median(gaps)) + settings.noise_m
-    jambs = border.jambs
+    flush = _flush(gaps, border, settings)
+    jambs = border.jambs[:, :2]
     soffit = jambs[(jambs[:, 0] > left + corner) & (jambs[:, 0] < right - corner) & (jambs[:, 1] > middle)]
     soffit = soffit[head.off(soffit) <= flush] if len(soffit) else soffit
     direct = fit_head(soffit, np.zeros(len(soffit)), (left, right), settings)

@@ -45,6 +45,7 @@ class JambSettings:
     fewest_points: int = judged(5, "With fewer points no jamb is recognised.")
     deepest_m: float = physical(0.6, "Jambs are hardly deeper than walls are thick.")
     beside_spacings: float = judged(2.0, "Points farther from the wall are not on a jamb.")
+    start_m: float = physical(0.05, "Jambs begin at the wall, of which points up to this depth are part.")
     least_spread_m: float = physical(0.03, "The points of a jamb differ in depth by this at least.")
 
 
