@@ -26,8 +26,10 @@ def is_opening(
     """
     left, bottom, right, top = outline.polygon.bounds
     shallow = opening.depth > -settings.damage_m
+    # The wall ends raggedly, and so does what was scanned of it.
+    at_end = bool(set(opening.open_sides) - {"bottom"})
     narrow = settings.narrow_m * (2 if outline.shape == FREE else 1)
-    if shallow and min(right - left, top - bottom) < narrow:
+    if (shallow or at_end) and min(right - left, top - bottom) < narrow:
         return False
     measured = _measured(outline)
     if outline.shape == FREE:
