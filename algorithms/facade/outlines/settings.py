@@ -120,7 +120,7 @@ class AcceptanceSettings:
     damage_m: float = physical(0.12, "Weathered stones and lost joints are hardly deeper.")
     narrow_m: float = physical(
         0.3,
-        "Shallow holes that are narrower are damage, free shapes even up to twice this; panels are wider.",
+        "Shallow holes and those at the end of a wall are damage if narrower, free shapes up to twice this.",
     )
     lowest_gap_m: float = physical(
         1.6, "Without head and sill a hole is a gap, unless it is as high as a door."

@@ -56,6 +56,12 @@ def test_shallow_small_holes_are_damage():
     assert is_opening(replace(HOLE, depth=-0.06), BORDER, outline())
 
 
+def test_a_narrow_gap_at_the_end_of_a_wall_is_no_opening():
+    gap = outline(right=NOT, polygon=box(0, 0, 0.2, 1.4))
+    assert is_opening(HOLE, BORDER, gap)
+    assert not is_opening(replace(HOLE, open_sides=("right",)), BORDER, gap)
+
+
 def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():
     gable = outline(polygon=Polygon([(0, 0), (1, 0), (0.5, 1)]), shape=FREE)
     ragged = outline(polygon=SHAPE.difference(box(0.2, 0.2, 1, 0.8)), shape=FREE)
