@@ -90,13 +90,17 @@ def measure_facade(
     openings = fill_regions(states, regions, settings.openings.content)
     openings = with_niches(states, openings, points, settings.openings.niches)
     progress.update(0.3, "Triangulating the wall")
-    wall = make_surface(scene.uvw, np.flatnonzero(segmentation.labels == 1), settings)
+    rows = np.flatnonzero(segmentation.labels == 1)
+    wall = make_surface(scene.uvw, rows, settings, progress.part(0.3, 0.5))
     progress.update(
         0.5, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
     )
     coloured = _coloured(points, wall, settings, progress)
     progress.update(0.7, "Tracing borders")
-    traced = [*opening_details(scene, states, openings, settings)]
+    traced = []
+    for item in opening_details(scene, states, openings, settings):
+        traced.append(item)
+        progress.update(0.7 + 0.1 * len(traced) / len(openings))
     empty = stand_ins(openings, wall.spacing)
     traced += coloured_details(scene, wall, coloured, empty, settings)
     projections = _projections(segmentation, settings)
@@ -244,6 +248,14 @@ def _area(item: TracedDetail) -> float:
     return float(item.border.ring.area if item.opening is None else item.opening.polygon.area)
 
 
+def _raw(item: TracedDetail) -> Polygon:
+    """Return the border as traced; at the ground or the edge of a wall it is not closed, but the hole is."""
+    ring = item.border.ring
+    if item.opening is not None and ring.area < 0.5 * item.opening.polygon.area:
+        return item.opening.polygon
+    return ring
+
+
 def _outline(item: TracedDetail, settings: FacadeSettings) -> Outline:
     region = None if item.opening is None else item.opening.polygon
     return make_outline(item.border, settings.regularise, settings.outlines, region)
@@ -290,7 +302,7 @@ def _detail(
         kind=item.kind,
         shape=outline.shape,
         outline=outline.polygon,
-        raw=translate(item.border.ring, u, v),
+        raw=translate(_raw(item), u, v),
         edges=outline.edges,
         rms=outline.rms,
         depth=item.depth,

@@ -82,7 +82,7 @@ def _holes(states: States, wall: np.ndarray, limits: RegionSettings) -> np.ndarr
     holes = behind | glass | _glazed(open_pixels & ~glass, behind | glass | states.reveals, front, limits)
     square = np.ones((limits.speck_pixels,) * 2, bool)
     holes = ndimage.binary_opening(holes, square)
-    return _framed(holes, wall) & ~front
+    return _framed(holes, wall, limits) & ~front
 
 
 def _glazed(empty: np.ndarray, behind: np.ndarray, front: np.ndarray, limits: RegionSettings) -> np.ndarray:
@@ -100,13 +100,13 @@ def _glazed(empty: np.ndarray, behind: np.ndarray, front: np.ndarray, limits: Re
     return kept[pieces]
 
 
-def _framed(holes: np.ndarray, wall: np.ndarray) -> np.ndarray:
+def _framed(holes: np.ndarray, wall: np.ndarray, limits: RegionSettings) -> np.ndarray:
     """Return the holes with what stands flush with the wall in them, such as frames and bars."""
     pieces, _ = ndimage.label(wall & ~holes, SQUARE)
     sizes = np.bincount(pieces.ravel())
     sizes[0] = 0
     # Pieces that hang together with a large part of the wall are piers.
-    loose = (pieces > 0) & (sizes[pieces] < 0.02 * sizes.max())
+    loose = (pieces > 0) & (sizes[pieces] < limits.pier * sizes.max())
     around = first_seen((wall & ~loose) | holes, holes).sum(axis=0) >= 3
     filled = holes | (loose & around)
     return ndimage.binary_closing(np.pad(filled, 1), SQUARE)[1:-1, 1:-1] & (~wall | filled)
@@ -121,14 +121,16 @@ def _split(region: Region, limits: RegionSettings, size: float) -> Iterator[Regi
     shape = region.image.shape
     if min(shape) * size < limits.narrowest_m:
         return
-    cuts = [(*_neck(region.image, axis), axis) for axis in (0, 1)]
-    narrow, where, axis = min(cuts)
+    narrow, cut, axis = min(
+        ((*_neck(region.image, axis, limits), axis) for axis in (0, 1)), key=lambda neck: neck[0]
+    )
     full = region.fill >= limits.filled
-    clear = narrow <= limits.clear_neck and _length_of_neck(region.image, where, axis) * size >= limits.post_m
+    length = cut.stop - cut.start or shape[axis]
+    clear = narrow <= limits.clear_neck and length * size >= limits.post_m
     if max(shape) < 4 or (full and not clear) or narrow > limits.neck:
         yield region
         return
-    for part in (slice(0, where), slice(where, shape[axis])):
+    for part in (slice(0, cut.start), slice(cut.stop, shape[axis])):
         piece = region.image[part] if axis == 0 else region.image[:, part]
         start = region.box[axis].start
         moved = slice(start + part.start, start + part.stop)
@@ -148,32 +150,28 @@ def _pieces(region: Region, limits: RegionSettings, size: float) -> Iterator[Reg
         yield from _split(Region(inside, labels[box] == number, 0.0), limits, size)
 
 
-def _neck(image: np.ndarray, axis: int) -> tuple[float, int]:
-    """Return how narrow the narrowest row or column is beside the wider of both sides, and where it is."""
+def _neck(image: np.ndarray, axis: int, limits: RegionSettings) -> tuple[float, slice]:
+    """Return how narrow the narrowest row or column is beside what it joins, and the rows of the neck.
+
+    All rows that are about as narrow are the neck and belong to neither part, whichever way the axes point.
+    A step has no rows of its own.
+    """
     widths = image.sum(axis=1 - axis).astype(float)
     before = np.maximum.accumulate(widths)[:-1]
     after = np.maximum.accumulate(widths[::-1])[::-1][1:]
     both = np.minimum(before, after)
     inner = np.arange(1, len(widths) - 1)
     if not len(inner):
-        return np.inf, 0
+        return np.inf, slice(0, 0)
     ratios = widths[inner] / np.maximum(np.minimum(both[inner - 1], both[inner]), 1.0)
-    # A step from narrow to wide is a neck too: the narrower side is cut off where it begins.
-    steps = np.minimum(widths[:-1], widths[1:]) / np.maximum(np.maximum(widths[:-1], widths[1:]), 1.0)
-    best = int(np.argmin(ratios))
-    step = int(np.argmin(steps))
-    if steps[step] < ratios[best]:
-        return float(steps[step]), step + 1
-    return float(ratios[best]), int(inner[best])
-
-
-def _length_of_neck(image: np.ndarray, where: int, axis: int) -> int:
-    """Return over how many rows or columns a neck stays about as narrow."""
-    widths = image.sum(axis=1 - axis)
-    wide = np.flatnonzero(widths > 2 * widths[where])
-    before, after = wide[wide < where], wide[wide > where]
-    start = before[-1] if len(before) else -1
-    return int((after[0] if len(after) else len(widths)) - start - 1)
+    if ratios.min() >= limits.neck:
+        # A step from narrow to wide is a neck too: the narrower side is cut off where it begins.
+        steps = np.minimum(widths[:-1], widths[1:]) / np.maximum(np.maximum(widths[:-1], widths[1:]), 1.0)
+        step = int(np.argmin(steps)) + 1
+        return float(steps.min()), slice(step, step)
+    where = int(inner[np.argmin(ratios)])
+    wide = np.flatnonzero(limits.neck * widths > widths[where])
+    return float(ratios.min()), slice(int(wide[wide < where][-1]) + 1, int(wide[wide > where][0]))
 
 
 def _joined(regions: list[Region], states: States, limits: RegionSettings) -> list[Region]:

@@ -78,6 +78,9 @@ class RegionSettings:
     )
     rim_pixels: int = judged(2, "The rim of a region is uncertain by a pixel, and so are its jambs.")
     hidden: float = judged(0.3, "It is hidden by something in front if this part of its rim is in front.")
+    pier: float = judged(
+        0.02, "A smaller share of the wall that stands alone in a hole is a frame, and no pier."
+    )
     shown: float = judged(0.05, "A column of pixels with a smaller part behind the wall shows nothing.")
     shadow: float = judged(
         0.6, "What shows nothing is a shadow if it is lower than this part of what is beside it."

@@ -14,6 +14,7 @@ SHALLOW = "shallow and small, as of damage of the stone"
 UNSEEN = "nothing was seen behind it, so that the wall may not have been scanned there"
 LOW = "low, and without head and sill, as of a gap between things on the ground"
 OPEN = "not bounded by the wall all around"
+AT_END = "narrow, at the end of the wall or of what was scanned of it"
 RAGGED = "ragged, as of damage or a shadow"
 
 
@@ -34,9 +35,14 @@ def reason_against_opening(
     """
     left, bottom, right, top = outline.polygon.bounds
     shallow = opening.depth > -settings.damage_m
+    # The wall ends raggedly, and so does what was scanned of it.
+    at_end = bool(set(opening.open_sides) - {"bottom"})
     narrow = settings.narrow_m * (2 if outline.shape == FREE else 1)
-    if shallow and min(right - left, top - bottom) < narrow:
-        return SHALLOW
+    if min(right - left, top - bottom) < narrow:
+        if shallow:
+            return SHALLOW
+        if at_end:
+            return AT_END
     measured = _measured(outline)
     if outline.shape == FREE:
         few = len(measured) < settings.measured

@@ -3,9 +3,8 @@
 from typing import Optional
 
 import numpy as np
-from shapely.geometry import MultiLineString, MultiPolygon, Point, Polygon
+from shapely.geometry import MultiLineString, MultiPolygon, Point
 from shapely.ops import polygonize
-from shapely.prepared import prep
 
 from ...geometry.triangulation import Mesh
 from .settings import OutlineSettings
@@ -38,16 +37,18 @@ def outline_of(mesh: Mesh, kept: np.ndarray) -> MultiPolygon:
     triangles = mesh.triangles[kept]
     if not len(triangles):
         return MultiPolygon()
-    counts = np.bincount(mesh.sides[kept].ravel(), minlength=len(mesh.edges))
-    boundary = mesh.points[mesh.edges[counts == 1]]
-    faces = list(polygonize(MultiLineString(list(boundary))))
-    middles = mesh.points[triangles].mean(axis=1)
-    return MultiPolygon([face for face in faces if _holds_any(face, middles)])
-
-
-def _holds_any(face: Polygon, middles: np.ndarray) -> bool:
-    """Whether a face contains a triangle; a face is filled by triangles entirely or not at all."""
-    left, bottom, right, top = face.bounds
-    inside = (middles > (left, bottom)).all(axis=1) & (middles < (right, top)).all(axis=1)
-    holds = prep(face).contains
-    return any(holds(Point(*middle)) for middle in middles[inside])
+    sides = mesh.sides[kept].ravel()
+    owners = np.empty(len(mesh.edges), np.int64)
+    owners[sides] = np.repeat(np.arange(len(triangles)), 3)
+    single = np.flatnonzero(np.bincount(sides, minlength=len(mesh.edges)) == 1)
+    boundary = mesh.points[mesh.edges[single]]
+    middles = mesh.points[triangles[owners[single]]].mean(axis=1)
+    # A face is filled by triangles entirely or not at all, so one beside its ring decides.
+    beside = {
+        frozenset(map(tuple, edge)): Point(middle)
+        for edge, middle in zip(boundary.tolist(), middles.tolist())
+    }
+    faces = polygonize(MultiLineString(list(boundary)))
+    return MultiPolygon([
+        face for face in faces if face.contains(beside[frozenset(face.exterior.coords[:2])])
+    ])  # fmt: skip

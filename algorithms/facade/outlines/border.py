@@ -55,7 +55,7 @@ class Border:
         up to one spacing before its edge.
     seen : ndarray of bool, shape (k,)
         Which crossings have points of the outer side near them; elsewhere something hides the border.
-    jambs : ndarray of float64, shape (j, 2)
+    jambs : ndarray of float64, shape (j, 3)
         Points of surfaces at right angles to the plane, which show the border directly.
     spacing : float
         Of the points along the border (m).
@@ -65,7 +65,7 @@ class Border:
     crossings: np.ndarray
     gaps: np.ndarray
     seen: np.ndarray
-    jambs: np.ndarray = field(default_factory=lambda: np.empty((0, 2)))
+    jambs: np.ndarray = field(default_factory=lambda: np.empty((0, 3)))
     spacing: float = 0.0
 
 

@@ -135,7 +135,7 @@ def _opening_border(
         np.empty((0, 3)), outside, states.grid.centres(core), 0.01, margin, Lost(mixed[:, :2], spacing**2),
         limits, reach,
     )  # fmt: skip
-    return replace(border, jambs=jamb[:, :2])
+    return replace(border, jambs=jamb)
 
 
 def _spacing_around(opening: Opening, states: States) -> float:

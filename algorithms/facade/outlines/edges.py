@@ -82,11 +82,7 @@ def fit_edge(
     if share < edges.agreeing or not long_enough:
         return Edge(fallback, float("nan"))
     crossings = np.stack([across[near], along[near]], axis=1)
-    # Of two scans the outermost lines may lie close together by chance; the edge is no surer for it.
-    wide = np.where(gaps[near] > 0, np.maximum(gaps[near], spacing), 1e-9)
-    std = edge_deviation(across[near] - middle, crossings, wide, settings)
-    if gap > 0:
-        std = float(np.hypot(std, edges.uncorrected * spacing))
+    std = border_deviation(across[near] - middle, crossings, gaps[near], spacing, settings)
     return Edge(middle, std, float(first), float(last))
 
 
@@ -110,6 +106,33 @@ def biweight(values: np.ndarray, start: float, settings: EdgeSettings = EdgeSett
         weights = tukey_weights(values - middle, scale, EFFICIENT_CUT)
         middle = float(np.average(values, weights=weights))
     return middle
+
+
+def border_deviation(
+    residuals: np.ndarray,
+    crossings: np.ndarray,
+    gaps: np.ndarray,
+    spacing: float,
+    settings: OutlineSettings = OutlineSettings(),
+) -> float:
+    """Return the standard deviation of an edge, straight or curved (m); nan if nothing was seen of it.
+
+    Where the end of a surface shows the edge, and no jamb, the mean distance to it is uncertain too.
+
+    Parameters
+    ----------
+    residuals, gaps : ndarray of float64, shape (k,)
+        Signed; gaps are 0 on jambs.
+    crossings : ndarray of float64, shape (k, 2)
+    spacing : float
+        Of the points of the surface (m).
+    settings : OutlineSettings
+    """
+    if not (gaps > 0).any():
+        return edge_deviation(residuals, crossings, np.full(len(gaps), 1e-9), settings)
+    # Of two scans the outermost lines may lie close together by chance; the edge is no surer for it.
+    std = edge_deviation(residuals, crossings, np.maximum(gaps, spacing), settings)
+    return float(np.hypot(std, settings.edges.uncorrected * spacing))
 
 
 def edge_deviation(

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ...geometry.circles import fit_circle_on_axis
-from .edges import biweight, edge_deviation
+from .edges import biweight, border_deviation
 from .settings import HeadSettings, OutlineSettings
 
 FLAT, SLOPED, SEGMENTAL, ROUND, POINTED = "flat", "sloped", "segmental", "round", "pointed"
@@ -48,6 +48,7 @@ def fit_head(
     gaps: np.ndarray,
     jambs: tuple[float, float],
     settings: OutlineSettings = OutlineSettings(),
+    spacing: float = 0.0,
 ) -> "Head | None":
     """Return the simplest head that agrees with the border; None if none does.
 
@@ -59,6 +60,8 @@ def fit_head(
     jambs : tuple of float
         u of the left and the right jamb.
     settings : OutlineSettings
+    spacing : float
+        Of the points along the border (m).
     """
     limits = settings.heads
     left, right = jambs
@@ -78,8 +81,8 @@ def fit_head(
     near = off <= limits.outlying * expected
     if near.mean() < limits.agreeing or np.ptp(points[near, 0]) < wide:
         return None
-    std = edge_deviation(off[near] * np.sign(_side(points[near], head)), points[near], gaps[near], settings)
-    return Head(head.kind, head.line, std)
+    signed = off[near] * np.sign(_side(points[near], head))
+    return Head(head.kind, head.line, border_deviation(signed, points[near], gaps[near], spacing, settings))
 
 
 def _side(points: np.ndarray, head: Head) -> np.ndarray:

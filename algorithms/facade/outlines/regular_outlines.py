@@ -10,7 +10,7 @@ from ...geometry.circles import arc_through
 from ...geometry.polygons import made_valid, polygons_of
 from ..elevation import ARCH, CIRCLE, FREE, RECTANGLE, TRAPEZIUM, Edges
 from .border import Border
-from .edges import Edge, edge_deviation, fit_edge
+from .edges import Edge, border_deviation, fit_edge
 from .heads import FLAT, SLOPED, Head, fit_head
 from .settings import OutlineSettings
 
@@ -137,12 +137,24 @@ def _side(
     edge = fit_edge(across, along, gaps[near], span, start, settings, border.spacing)
     if not edge.measured or not len(border.jambs):
         return edge
-    gap = float(np.median(gaps[near]))
-    flush = settings.edges.flush_gaps * gap + settings.noise_m
+    flush = _flush(gaps[near], border, settings)
     jamb = border.jambs[np.abs(border.jambs[:, axis] - edge.position) <= flush]
     none = np.zeros(len(jamb))
     direct = fit_edge(jamb[:, axis], jamb[:, 1 - axis], none, span, start, settings, border.spacing)
-    return direct if direct.measured else edge
+    if not direct.measured:
+        return edge
+    own = np.abs(jamb[:, axis] - direct.position) <= flush
+    start_of_jamb = -float(np.percentile(jamb[own, 2], 90))
+    # What begins deeper in the wall is a frame, which may be narrower or wider than the opening.
+    return direct if start_of_jamb <= settings.jambs.start_m + border.spacing else edge
+
+
+def _flush(gaps: np.ndarray, border: Border, settings: OutlineSettings) -> float:
+    """Return how far a jamb may lie from where the wall ends (m)."""
+    edges, gap = settings.edges, float(np.median(gaps))
+    flush = edges.flush_gaps * gap
+    # The wall ends within a spacing of its edge, and its border is in the middle of that.
+    return (min(flush, 0.5 * border.spacing) if border.spacing > 0 else flush) + settings.noise_m
 
 
 def _head(border: Border, sides: _Sides, settings: OutlineSettings) -> Optional[Head]:
@@ -151,11 +163,11 @@ def _head(border: Border, sides: _Sides, settings: OutlineSettings) -> Optional[
     middle = 0.5 * (bottom + max(sides.top.position, bottom))
     corner = settings.edges.corner_gaps * max(float(np.median(gaps)), border.spacing)
     between = (points[:, 0] > left + corner) & (points[:, 0] < right - corner) & (points[:, 1] > middle)
-    head = fit_head(points[between], gaps[between], (left, right), settings)
+    head = fit_head(points[between], gaps[between], (left, right), settings, border.spacing)
     if head is None:
         return None
-    flush = settings.edges.flush_gaps * float(np.median(gaps)) + settings.noise_m
-    jambs = border.jambs
+    flush = _flush(gaps, border, settings)
+    jambs = border.jambs[:, :2]
     soffit = jambs[(jambs[:, 0] > left + corner) & (jambs[:, 0] < right - corner) & (jambs[:, 1] > middle)]
     soffit = soffit[head.off(soffit) <= flush] if len(soffit) else soffit
     direct = fit_head(soffit, np.zeros(len(soffit)), (left, right), settings)
@@ -209,7 +221,8 @@ def _circle(border: Border, ring: Polygon, settings: OutlineSettings) -> Optiona
     # A square deviates from its circle by a fifth of the radius.
     if float(np.median(off / expected)) > shapes.round_deviation or _iou(polygon, ring) < shapes.alike:
         return None
-    std = edge_deviation(off[near], points[near], gaps[near], settings)
+    signed = np.hypot(*(points[near] - arc.centre).T) - arc.radius
+    std = border_deviation(signed, points[near], gaps[near], border.spacing, settings)
     return Outline(CIRCLE, None, polygon, Edges(std, std, std, std), float(np.sqrt(np.mean(off[near] ** 2))))
 
 
@@ -222,10 +235,28 @@ def _free(border: Border, ring: Polygon, settings: OutlineSettings) -> Outline:
         polygon = border.ring.simplify(0.5 * gap)
     polygon = max(polygons_of(made_valid(polygon)), key=lambda part: part.area, default=ring)
     left, bottom, right, top = polygon.bounds
-    u, v = border.crossings.T
+    sides = (
+        (0, left, (bottom, top)),
+        (0, right, (bottom, top)),
+        (1, bottom, (left, right)),
+        (1, top, (left, right)),
+    )
+    found = [_deviation_of_free(border, *side, settings) for side in sides]
+    return Outline(FREE, None, polygon, Edges(*found), NOTHING)
+
+
+def _deviation_of_free(
+    border: Border, axis: int, position: float, span: tuple[float, float], settings: OutlineSettings
+) -> float:
+    """Return the standard deviation of an edge of a free outline; nan where only its corners were seen."""
+    across, along = border.crossings[:, axis], border.crossings[:, 1 - axis]
+    gap = float(np.median(border.gaps)) if len(border.gaps) else settings.noise_m
     reach = settings.edges.corner_gaps * gap
-    found = []
-    for away in (u - left, v - bottom, right - u, top - v):
-        near = border.seen & (np.abs(away) < reach)
-        found.append(edge_deviation(away[near], border.crossings[near], border.gaps[near], settings))
-    return Outline(FREE, None, polygon, Edges(found[0], found[2], found[1], found[3]), NOTHING)
+    corner = min(settings.edges.corner_gaps * max(gap, border.spacing), 0.25 * (span[1] - span[0]))
+    # The feet of jambs, which end at a sill that was not seen, do not show it.
+    near = border.seen & (np.abs(across - position) < reach)
+    near &= (along > span[0] + corner) & (along < span[1] - corner)
+    if near.sum() < settings.edges.fewest:
+        return NOTHING
+    away = across[near] - position
+    return border_deviation(away, border.crossings[near], border.gaps[near], border.spacing, settings)

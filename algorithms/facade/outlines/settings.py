@@ -45,6 +45,7 @@ class JambSettings:
     fewest_points: int = judged(5, "With fewer points no jamb is recognised.")
     deepest_m: float = physical(0.6, "Jambs are hardly deeper than walls are thick.")
     beside_spacings: float = judged(2.0, "Points farther from the wall are not on a jamb.")
+    start_m: float = physical(0.05, "Jambs begin at the wall, of which points up to this depth are part.")
     least_spread_m: float = physical(0.03, "The points of a jamb differ in depth by this at least.")
 
 
@@ -119,7 +120,7 @@ class AcceptanceSettings:
     damage_m: float = physical(0.12, "Weathered stones and lost joints are hardly deeper.")
     narrow_m: float = physical(
         0.3,
-        "Shallow holes that are narrower are damage, free shapes even up to twice this; panels are wider.",
+        "Shallow holes and those at the end of a wall are damage if narrower, free shapes up to twice this.",
     )
     lowest_gap_m: float = physical(
         1.6, "Without head and sill a hole is a gap, unless it is as high as a door."

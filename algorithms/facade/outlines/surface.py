@@ -7,6 +7,7 @@ from shapely.geometry import MultiPolygon, Polygon
 from skimage.measure import points_in_poly
 
 from ...geometry.triangulation import Mesh, triangulate
+from ...progress import Progress
 from ..settings import FacadeSettings
 from .alpha_shape import alpha_of, outline_of
 from .denoising import remove_noise
@@ -51,7 +52,12 @@ class Surface:
         return float(np.median(self.mesh.spacings[np.isfinite(self.mesh.spacings)]))
 
 
-def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = FacadeSettings()) -> Surface:
+def make_surface(
+    uvw: np.ndarray,
+    rows: np.ndarray,
+    settings: FacadeSettings = FacadeSettings(),
+    progress: Progress = Progress(),
+) -> Surface:
     """Return the surface of the points of a plane, without noise.
 
     Parameters
@@ -61,9 +67,11 @@ def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = F
         Of the points of the plane.
     settings : FacadeSettings
         delta, eta, the number of rounds, and alpha.
+    progress : Progress
     """
     rows = rows[np.lexsort(uvw[rows, :2].T)]
     mesh = triangulate(uvw[rows, :2])
+    progress.update(0.4)
     if settings.alpha_m is None:
         alphas = alpha_of(mesh, settings.outlines)
     else:
@@ -75,6 +83,7 @@ def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = F
         settings.noise_iterations,
         settings.outlines.noise_rings,
     )
+    progress.update(0.7)
     kept = (mesh.circumradii <= alphas) & clean[mesh.triangles].all(axis=1)
     sizes = np.bincount(mesh.triangles[kept].ravel(), np.repeat(mesh.areas[kept], 3) / 3, len(rows))
     alpha = float(np.median(alphas)) if len(alphas) else 0.0

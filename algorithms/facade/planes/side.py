@@ -92,7 +92,9 @@ def find_side(
     known = known[np.isfinite(known)]
     if len(known):
         share = float(np.mean(known > 0))
-        reason = f"the scanners that measured {100 * max(share, 1 - share):.0f} % of the wall stood there"
+        reason = (
+            f"the scanners that measured {100 * max(share, 1 - share):.0f} % of the wall stood on that side"
+        )
         return Side(1 if share >= 0.5 else -1, abs(2 * share - 1), reason, _inner(uvw, wall, share, settings))
     before, behind = (_evidence(uvw, wall, sign, settings) for sign in (1, -1))
     return _by_inner_face(before, behind, settings) or _by_holes(before, behind, settings)
@@ -124,8 +126,8 @@ def _by_inner_face(before: _Evidence, behind: _Evidence, settings: SideSettings)
         face = other.face
         if face and other.covered >= settings.covered and other.covered >= settings.clearer * own.covered:
             reason = (
-                f"a parallel face {face.offset:.2f} m off covers {100 * face.share:.0f} % of the wall on the "
-                f"other side ({100 * own.covered:.0f} % here), so that is its inner face"
+                f"{face.offset:.2f} m behind it a parallel surface, its inner face, covers "
+                f"{100 * face.share:.0f} % of the wall, and one in front {100 * own.covered:.0f} %"
             )
             return Side(sign, 1 - own.covered * settings.clearer / other.covered, reason, face)
     return None
@@ -144,14 +146,14 @@ def _by_holes(before: _Evidence, behind: _Evidence, settings: SideSettings) -> S
         sign = 1 if shares[0] > shares[1] else -1
         here, there = (before, behind) if sign == 1 else (behind, before)
         reason = (
-            f"of the pixels with points close to the wall, {100 * there.share:.0f} % on the other side and "
-            f"{100 * here.share:.0f} % on this side lie on the wall, the rest in its holes"
+            f"{100 - 100 * there.share:.0f} % of the pixels with points close behind the wall lie in its "
+            f"holes, and {100 - 100 * here.share:.0f} % of those close in front"
         )
         return Side(sign, sure, reason)
     sign = 1 if before.far >= behind.far else -1
     reason = (
-        f"most points far from the wall are there ({max(before.far, behind.far)}, "
-        f"{min(before.far, behind.far)} on the other side); its holes do not show which side is the front"
+        f"most points far from the wall are on that side ({max(before.far, behind.far)} of "
+        f"{before.far + behind.far}), and its holes do not show which side is the front"
     )
     return Side(sign, 0.0, reason)
 

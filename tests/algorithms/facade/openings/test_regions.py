@@ -69,6 +69,18 @@ def test_openings_that_a_gap_joins_come_apart_at_the_neck():
     assert [close(WINDOW), close(second)] == [box for box in found if box[3] - box[1] > 0.5]
 
 
+@pytest.mark.parametrize("height", [0.15, 0.2, 0.25])
+def test_a_neck_divides_the_mirrored_wall_at_the_mirrored_station(height):
+    first, second, gap = (1.0, 1.0, 2.0, 2.4), (2.6, 1.0, 3.6, 2.4), (2.0, 1.5, 2.6, 1.5 + height)
+    parts = wall(first, second, gap), pane(first), pane(second), pane(gap)
+    mirrored = [part * (-1, 1, 1) + (6.0, 0, 0) for part in parts]
+    found, others = boxes(*parts), boxes(*mirrored)
+
+    assert len(found) == 2
+    turned = sorted((6.0 - right, bottom, 6.0 - left, top) for left, bottom, right, top in others)
+    assert np.allclose(sorted(found), turned, atol=1.5 * STEP)
+
+
 def test_a_gate_at_the_foot_and_a_window_at_the_top_count_with_the_side_that_is_open():
     gate, dormer = (1.0, -1.0, 2.2, 2.1), (3.5, 2.8, 4.5, 9.0)
     states = states_of(wall(gate, dormer), pane((1.0, 0, 2.2, 2.1), -0.3), pane((3.5, 2.8, 4.5, 4.0), -0.3))

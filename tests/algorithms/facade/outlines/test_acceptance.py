@@ -8,6 +8,7 @@ from ichnograph.algorithms.facade.elevation import FREE, RECESS, RECTANGLE, Edge
 from ichnograph.algorithms.facade.openings.content import DOOR, Opening
 from ichnograph.algorithms.facade.openings.regions import Region
 from ichnograph.algorithms.facade.outlines.acceptance import (
+    AT_END,
     FEW_SIDES,
     LOW,
     OPEN,
@@ -64,6 +65,12 @@ def test_shallow_small_holes_are_damage():
     assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, stone) == SHALLOW
     assert reason_against_opening(replace(HOLE, depth=-0.3), BORDER, stone) is None
     assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, outline()) is None
+
+
+def test_a_narrow_gap_at_the_end_of_a_wall_is_no_opening():
+    gap = outline(right=NOT, polygon=box(0, 0, 0.2, 1.4))
+    assert reason_against_opening(HOLE, BORDER, gap) is None
+    assert reason_against_opening(replace(HOLE, open_sides=("right",)), BORDER, gap) == AT_END
 
 
 def test_a_free_shape_must_be_whole_and_bounded_by_the_wall():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.outlines.edges import biweight, edge_deviation, fit_edge
+from ichnograph.algorithms.facade.outlines.edges import biweight, border_deviation, edge_deviation, fit_edge
 
 GAP = 0.01
 
@@ -66,3 +66,14 @@ def test_an_edge_that_was_not_seen_has_no_deviation():
 def test_a_few_gross_errors_do_not_move_a_robust_mean():
     values = np.concatenate([np.linspace(-0.01, 0.01, 21), [1.0, 2.0]])
     assert biweight(values, 0.0) == pytest.approx(0, abs=1e-6)
+
+
+def test_the_ends_of_a_surface_are_less_sure_than_a_jamb_however_many_agree():
+    along = np.linspace(0, 1.5, 1000)
+    scatter = np.random.default_rng(0).normal(0, 0.006, 1000)
+    crossings = np.stack([scatter, along], axis=1)
+    ends = border_deviation(scatter, crossings, np.full(1000, 0.02), 0.02)
+    jamb = border_deviation(scatter, crossings, np.zeros(1000), 0.02)
+
+    assert jamb < 0.0015
+    assert 0.15 * 0.02 < ends < 0.25 * 0.02

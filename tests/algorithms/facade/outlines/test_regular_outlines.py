@@ -107,10 +107,21 @@ def test_an_edge_that_something_hides_is_where_the_region_ends_and_has_no_deviat
 def test_a_jamb_shows_an_edge_better_than_the_wall_beside_it():
     border = border_of(box(0, 0, 1, 1.5))
     v = np.linspace(0, 1.5, 150)
-    jamb = np.column_stack([np.random.default_rng(0).normal(0.004, 0.001, 150), v])
+    jamb = np.column_stack(
+        [np.random.default_rng(0).normal(0.004, 0.001, 150), v, -0.1 * np.arange(150) / 150]
+    )
     outline = make_outline(replace(border, jambs=jamb), True)
 
     assert outline.polygon.bounds[0] == pytest.approx(0.004, abs=0.0005)
+
+
+def test_the_side_of_a_frame_deep_in_the_wall_is_not_its_jamb():
+    border = border_of(box(0, 0, 1, 1.5))
+    depths = np.linspace(-0.2, -0.12, 150)
+    frame = np.column_stack([np.full(150, 0.006), np.linspace(0, 1.5, 150), depths])
+    outline = make_outline(replace(border, jambs=frame), True)
+
+    assert outline.polygon.bounds[0] == pytest.approx(0, abs=0.002)
 
 
 def test_without_a_border_the_outline_is_the_region():
@@ -119,3 +130,16 @@ def test_without_a_border_the_outline_is_the_region():
 
     assert outline.shape == FREE and outline.polygon.equals(box(0, 0, 1, 2))
     assert np.isnan(outline.edges.left)
+
+
+def test_the_feet_of_jambs_do_not_measure_a_sill_that_was_not_seen():
+    shape = Polygon([(0, 0), (1, 0), (1, 1.4), (0.8, 1.8), (0.9, 2.0), (0.2, 2.0), (0.3, 1.7), (0, 1.4)])
+    whole = border_of(shape)
+    above = whole.crossings[:, 1] > 2 * GAP
+    feet = (whole.crossings[:, 1] <= 2 * GAP) & (np.abs(whole.crossings[:, 0] - 0.5) > 0.48)
+    outline = make_outline(replace(whole, seen=above | feet), False)
+
+    assert outline.shape == FREE
+    assert np.isnan(outline.edges.bottom)
+    assert outline.edges.left < 0.005
+    assert np.isfinite(make_outline(whole, False).edges.bottom)
