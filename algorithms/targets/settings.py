@@ -45,5 +45,8 @@ class TargetSettings:
     same_place: float = physical(0.6, "In units of the size: targets do not overlap.")
     tiled_reach: float = physical(2.5, "In units of the size: corners of tiles within it are the next ones.")
     most_tiles: int = judged(1, "Crossings that may lie beside a target, as that of a second target.")
+    most_large: int = judged(
+        2, "Places near a target where fields cross that are larger: paint and panels; large tiles have more."
+    )
     view: float = judged(1.6, "Height of a picture in the report, in units of the size.")
     view_pixels: int = judged(160, "Most rows of such a picture.")

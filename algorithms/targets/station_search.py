@@ -6,8 +6,8 @@ from typing import Callable, Union
 import numpy as np
 
 from ..progress import Progress
-from .checkerboards.candidates import checkerboard_candidates
-from .checkerboards.checkerboard import TILES, checkerboard_at
+from .checkerboards.candidates import best_of_neighbours, checkerboard_candidates
+from .checkerboards.checkerboard import TILES, WIDTH, checkerboard_at
 from .range_image.range_image import RangeImage
 from .results import Rejection, StationTargets, Target
 from .settings import TargetSettings, Wanted
@@ -133,8 +133,9 @@ def without_tiles(
 ) -> tuple[list[Target], list[Rejection]]:
     """Move the targets that lie among other crossings to the rejections: the rim of a tiled surface.
 
-    Those are corners of tiles, and patterns that look like a target themselves and are as large. A crossing
-    at the target is its own, seen from another candidate.
+    Those are corners of tiles, and patterns that look like a target themselves and are as large. Crossings of
+    fields too large for a target count if there are several, as in the middle of large tiles. A crossing at
+    the target is its own, seen from another candidate.
 
     Parameters
     ----------
@@ -145,11 +146,12 @@ def without_tiles(
     """
     crossings = [(item.xyz, np.inf) for item in failed if item.test == TILES]
     crossings += [(item.xyz, item.size) for item in found]
+    large = np.array([item.xyz for item in failed if item.test == WIDTH and item.value > item.limit])
     kept = []
     for item in found:
         away = [np.linalg.norm(item.xyz - place) / min(item.size, size) for place, size in crossings]
         near = sum(settings.same_place < distance < settings.tiled_reach for distance in away)
-        if near > settings.most_tiles:
+        if near > settings.most_tiles or _places_near(item, large, settings) > settings.most_large:
             passed = max((other.passed for other in failed), default=0) + 1
             failed.append(
                 Rejection(item.kind, item.xyz, "crossings nearby", passed, float(near), settings.most_tiles)
@@ -157,3 +159,12 @@ def without_tiles(
         else:
             kept.append(item)
     return kept, failed
+
+
+def _places_near(target: Target, crossings: np.ndarray, settings: TargetSettings) -> int:
+    """Return at how many places near a target there are crossings, each of which several candidates see."""
+    if not len(crossings):
+        return 0
+    away = np.linalg.norm(crossings - target.xyz, axis=1) / target.size
+    near = crossings[(away > settings.same_place) & (away < settings.tiled_reach)]
+    return len(best_of_neighbours(near, settings.same_place * target.size))

@@ -18,6 +18,9 @@ from .settings import AcceptanceSettings, CheckerboardSettings
 TILES = "likeness of tiles around it"
 """The test that corners of tiles fail."""
 
+WIDTH = "width of the pattern"
+"""The test that crossings of large fields fail."""
+
 
 @dataclass(frozen=True)
 class Seen:
@@ -195,8 +198,8 @@ def _examine_extent(
     low, high = tests.sizes_m
     if size is not None:
         low, high = size * (1 - tests.size_tolerance), size * (1 + tests.size_tolerance)
-    exam.at_least("width of the pattern", extent.size, low - 2 * extent.ring, "m")
-    exam.at_most("width of the pattern", extent.size, high + 2 * extent.ring, "m")
+    exam.at_least(WIDTH, extent.size, low - 2 * extent.ring, "m")
+    exam.at_most(WIDTH, extent.size, high + 2 * extent.ring, "m")
 
 
 def _covariance(

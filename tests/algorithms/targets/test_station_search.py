@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.targets.checkerboards.checkerboard import TILES
+from ichnograph.algorithms.targets.checkerboards.checkerboard import TILES, WIDTH
 from ichnograph.algorithms.targets.results import Kind, Rejection
 from ichnograph.algorithms.targets.settings import TargetSettings, Wanted
 from ichnograph.algorithms.targets.station_search import search_station, without_tiles
@@ -101,6 +101,21 @@ def test_patterns_in_a_row_are_tiles_and_two_beside_each_other_are_targets():
 def test_a_pattern_among_corners_of_tiles_is_no_target():
     assert kept(target(), failed=[corner_of_tiles(-0.2), corner_of_tiles(0.2)])[0] == []
     assert len(kept(target(), failed=[corner_of_tiles(0.2)])[0]) == 1
+
+
+def large_crossing(y, z=0.0):
+    return Rejection(Kind.CHECKERBOARD, np.array([4.0, y, z]), WIDTH, 9, np.inf, 0.34)
+
+
+def test_a_pattern_among_several_crossings_of_large_fields_is_no_target():
+    around = [large_crossing(y, z) for y, z in ((-0.2, 0.0), (0.2, 0.0), (0.0, 0.2))]
+
+    assert kept(target(), failed=around)[0] == []
+    assert len(kept(target(), failed=around[:2])[0]) == 1
+
+
+def test_a_crossing_that_several_candidates_see_counts_once():
+    assert len(kept(target(), failed=[large_crossing(0.2 + 0.01 * number) for number in range(5)])[0]) == 1
 
 
 def test_other_candidates_at_a_target_do_not_speak_against_it():
