@@ -22,7 +22,7 @@ class VoxelSettings:
     mixing_radius_m: float = physical(0.07, "A wider ball holds points of both faces of a thin partition.")
     fewest_agreeing: int = judged(7, "So many of twenty points around show a face that is partly hidden.")
     agreeing_noises: float = statistical(3.0, "99.7 % of normally distributed points lie within.")
-    agreeing_share: float = judged(0.1, "A surface is so thin for its width, whatever the noise seems to be.")
+    agreeing_share: float = judged(0.2, "A surface is so thin for its width, whatever the noise seems to be.")
     least_noise_m: float = judged(0.004, "Walls are no planer over the half metre around a point.")
     flatness: float = judged(0.3, "Thickness over radius: a full ball has 0.45, a flat disc 0.")
     upright: float = judged(0.2, "The noise is that of surfaces that lean by less than 12 degrees.")
