@@ -341,6 +341,11 @@
         <translation>sie endet in den komprimierten Punkten</translation>
     </message>
     <message>
+        <location filename="../../algorithms/clouds/formats/normals.py"/>
+        <source>%1 of %2 seem to be normals; they are not turned if the cloud is, unless they are called nx, ny and nz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../algorithms/clouds/formats/number_table.py"/>
         <location filename="../../algorithms/clouds/formats/text_rows.py"/>
         <source>the number at the end of its last line %1 is cut off</source>
@@ -538,6 +543,11 @@
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
         <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>column %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -1238,6 +1248,41 @@
         <translation>die Intensität zeigt keine Kante, wie bei einem Schatten</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/development/curves.py"/>
+        <location filename="../../algorithms/facade/elevation.py"/>
+        <location filename="../../algorithms/facade/openings/content.py"/>
+        <location filename="../../algorithms/facade/outlines/edges.py"/>
+        <location filename="../../algorithms/facade/outlines/heads.py"/>
+        <location filename="../../algorithms/registration/matching/matching_matrix.py"/>
+        <location filename="../../algorithms/reporting/charts.py"/>
+        <location filename="../../algorithms/reporting/maps.py"/>
+        <location filename="../../algorithms/site_plan/faces/face_points.py"/>
+        <location filename="../../algorithms/site_plan/rooms/doors.py"/>
+        <location filename="../../algorithms/targets/checkerboards/extent.py"/>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/development/development.py"/>
+        <source>A round wall with a radius of %1 m is rolled out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/development/development.py"/>
+        <source>%1 sides are rolled out: %2 m long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/development/development.py"/>
+        <source>No round wall with a radius of %1 to %2 m was found of which %3 degrees are seen; cut the cloud to the tower, or choose another UNROLL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/development/development.py"/>
+        <source>No sides were found that meet at the facade and turn by %1 to %2 degrees; choose another UNROLL.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <source>recess</source>
         <translation>Rücksprung</translation>
@@ -1286,20 +1331,6 @@
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
         <location filename="../../algorithms/facade/openings/content.py"/>
-        <location filename="../../algorithms/facade/outlines/edges.py"/>
-        <location filename="../../algorithms/facade/outlines/heads.py"/>
-        <location filename="../../algorithms/registration/matching/matching_matrix.py"/>
-        <location filename="../../algorithms/reporting/charts.py"/>
-        <location filename="../../algorithms/reporting/maps.py"/>
-        <location filename="../../algorithms/site_plan/faces/face_points.py"/>
-        <location filename="../../algorithms/site_plan/rooms/doors.py"/>
-        <location filename="../../algorithms/targets/checkerboards/extent.py"/>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/elevation.py"/>
-        <location filename="../../algorithms/facade/openings/content.py"/>
         <location filename="../../algorithms/facade/openings/niches.py"/>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
@@ -1334,11 +1365,6 @@
         <location filename="../../algorithms/facade/left_out.py"/>
         <source>surface</source>
         <translation>Fläche</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/left_out.py"/>
-        <source>fewer than three straight sides were seen, as of damage or a shadow</source>
-        <translation>weniger als drei gerade Seiten wurden gesehen, wie bei einem Schaden oder Schatten</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/left_out.py"/>
@@ -1431,6 +1457,41 @@
         <translation>Nische</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>fewer than three straight sides were seen, as of damage or a shadow</source>
+        <translation>weniger als drei gerade Seiten wurden gesehen, wie bei einem Schaden oder Schatten</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>shallow and small, as of damage of the stone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>nothing was seen behind it, so that the wall may not have been scanned there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>low, and without head and sill, as of a gap between things on the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>not bounded by the wall all around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>narrow, at the end of the wall or of what was scanned of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>ragged, as of damage or a shadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/outlines/heads.py"/>
         <source>flat</source>
         <translation>waagrecht</translation>
@@ -1465,6 +1526,16 @@
         <location filename="../../algorithms/facade/output/orthoimage.py"/>
         <source>The orthoimage would have %1 x %2 pixels, more than %3; raise PIXEL_SIZE, or cut the cloud to the facade.</source>
         <translation>Das Orthobild hätte %1 x %2 Pixel, mehr als %3; PIXEL_SIZE erhöhen oder die Punktwolke auf die Fassade zuschneiden.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/report.py"/>
+        <source>Its sides are rolled out beside each other: u runs along the wall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/output/report.py"/>
+        <source>It is round and rolled out: u runs along the arc, on a radius of %1 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1679,8 +1750,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>the scanners that measured %1 % of the wall stood there</source>
-        <translation>die Scanner, die %1 % der Wand gemessen haben, standen dort</translation>
+        <source>the scanners that measured %1 % of the wall stood on that side</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
@@ -1689,18 +1760,18 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>a parallel face %1 m off covers %2 % of the wall on the other side (%3 % here), so that is its inner face</source>
-        <translation>eine parallele Fläche in %1 m Abstand bedeckt %2 % der Wand auf der anderen Seite (%3 % hier), das ist also ihre Innenseite</translation>
+        <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>of the pixels with points close to the wall, %1 % on the other side and %2 % on this side lie on the wall, the rest in its holes</source>
-        <translation>von den Pixeln mit Punkten nahe der Wand liegen %1 % auf der anderen Seite und %2 % auf dieser Seite auf der Wand, die übrigen in ihren Öffnungen</translation>
+        <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>most points far from the wall are there (%1, %2 on the other side); its holes do not show which side is the front</source>
-        <translation>dort liegen die meisten von der Wand entfernten Punkte (%1, auf der anderen Seite %2); ihre Öffnungen zeigen nicht, wo vorne ist</translation>
+        <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>
@@ -1881,6 +1952,11 @@
         <location filename="../../algorithms/registration/adjustment/scale_test.py"/>
         <source>%1 grid coordinates that are not reduced for the projection; %2.</source>
         <translation>%1 nicht wegen der Abbildung reduzierte Gitterkoordinaten; %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/covariances.py"/>
+        <source>%1 of the %2 points in %3 count like points without standard deviations, because one of these is missing or not positive, or the correlations contradict each other.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/covariances.py"/>
@@ -4183,6 +4259,11 @@
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
+        <source>width of the pattern</source>
+        <translation>Breite des Musters</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
         <location filename="../../algorithms/targets/spheres/sphere.py"/>
         <source>points around the centre</source>
         <translation>Punkte um das Zentrum</translation>
@@ -4251,11 +4332,6 @@
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
         <source>difference of the edges from a right angle</source>
         <translation>Abweichung der Kanten vom rechten Winkel</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
-        <source>width of the pattern</source>
-        <translation>Breite des Musters</translation>
     </message>
     <message>
         <location filename="../../algorithms/targets/checkerboards/checkerboard.py"/>
@@ -5895,6 +5971,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
+        <source>Correlation, %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/fields.py"/>
         <source>Number of scans</source>
         <translation>Anzahl der Scans</translation>
     </message>
@@ -6498,6 +6579,31 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Facades that turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>A flat facade has one plane. Sides: the sides of a canted bay or a polygonal tower that meet at the facade are drawn beside each other, each in its own plane. Round: a round tower is rolled out, so that u runs along the arc of its outer face; the log states the radius. In a folder of every facade, those that do not turn are drawn flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Sides of a bay or a tower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <source>Round tower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Coloured details</source>
         <translation>Farbige Details</translation>
     </message>
@@ -6580,6 +6686,11 @@
         <location filename="../../processing_provider/parameters/folders.py"/>
         <source>%1, one by one</source>
         <translation>%1, einzeln</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/folders.py"/>
+        <source>%1 %2 still holds %3 of an earlier run; this one did not write it. Remove it, or choose a new folder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/folders.py"/>
