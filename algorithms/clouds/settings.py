@@ -140,7 +140,7 @@ class TileSettings:
         1e9, "Farther than any point of one site; the integers of the lattice end not much later."
     )
     max_stray_share: float = judged(
-        0.01, "More are no stray measurements: the coordinates of the whole cloud are of another kind."
+        0.01, "Strays are fewer; with more, the coordinates of the whole cloud are of another kind."
     )
 
 

@@ -45,7 +45,7 @@ class DrawnPlanSettings:
     angle_deg: float = judged(25.0, "A line across a face does not stand for it.")
     seam_m: float = physical(0.001, "Gaps between touching walls come from rounded coordinates.")
     strip_m: float = physical(
-        0.08, "A wall of which one face was seen is drawn as a strip up to this thick; its back is no face."
+        0.08, "A wall of which one face was seen is drawn as a strip up to this thick; its back was not seen."
     )
     thinnest_m: float = physical(0.005, "Pieces nearer across than this are of one side of a strip.")
     nearer: float = judged(0.25, "By this share of the strip its front is nearer to a face than its back.")

@@ -33,7 +33,7 @@ class LayerSettings:
     )
     behind_m: float = physical(3.0, "Storeys are set back up to this; what is farther is another building.")
     covered: float = judged(
-        0.3, "A part over which more of the main wall is seen is no part of the facade: a car, a room."
+        0.3, "Over a part of the facade less of the main wall is seen; over a car or a room more."
     )
     piece: float = judged(
         0.02, "A part of the main wall that is smaller than this share of it encloses nothing."

@@ -130,7 +130,7 @@ def border_deviation(
     """
     if not (gaps > 0).any():
         return edge_deviation(residuals, crossings, np.full(len(gaps), 1e-9), settings)
-    # Of two scans the outermost lines may lie close together by chance; the edge is no surer for it.
+    # Of two scans the outermost lines may lie close together by chance; the edge is not surer for it.
     std = edge_deviation(residuals, crossings, np.maximum(gaps, spacing), settings)
     return float(np.hypot(std, settings.edges.uncorrected * spacing))
 

@@ -136,7 +136,7 @@ class WallSettings:
     hidden: float = judged(
         2.0, "A projection hides a strip of the wall up to this many times as wide as it is deep."
     )
-    hidden_m: float = judged(0.5, "The strip of the wall that a projection hides is no wider than this.")
+    hidden_m: float = judged(0.5, "The strip of the wall that a projection hides is at most so wide.")
     beside_spacings: float = judged(3.0, "A gap is hidden by a projection that is nearer than this.")
     smooth_spacings: float = physical(
         0.5, "The wall ends half a spacing beyond its outermost points; less than that is roughness."

@@ -14,7 +14,7 @@ class OrthoimageSettings:
     )
     layer_m: float = judged(
         0.05,
-        "A pixel shows the mean of its points that are no further behind the foremost; the rest is hidden.",
+        "A pixel shows the mean of its points up to so far behind the foremost; the rest is hidden.",
     )
     darkest_percent: float = judged(
         1.0, "This percentile of the intensity becomes black; single dark points would brighten the rest."

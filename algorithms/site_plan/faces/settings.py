@@ -148,7 +148,7 @@ class RefinementSettings:
     """Which outlines and faces are kept."""
 
     outside_px: float = judged(0.75, "Faces are not looked for farther outside an outline of pixels.")
-    beside_m: float = judged(0.03, "A face whose middle is no farther from an outline runs along it.")
+    beside_m: float = judged(0.03, "A face whose middle is at most so far from an outline runs along it.")
     foliage_coverage: float = judged(
         0.1, "Where less of an outline has faces, though it has points enough, they are foliage."
     )

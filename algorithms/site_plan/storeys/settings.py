@@ -62,7 +62,7 @@ class SheetSettings:
     band_noises: float = statistical(2.5, "99 % of normally distributed points lie within.")
     band_spacings: float = judged(0.2, "Sparse points do not show a face any better.")
     widest_band_m: float = physical(0.03, "Half of the thinnest partition, so that its faces stay apart.")
-    gap_m: float = physical(0.25, "A socket, a pipe or a shadow in a face is no wider.")
+    gap_m: float = physical(0.25, "A socket, a pipe or a shadow in a face is narrower.")
     gap_spacings: float = judged(2.5, "Between sparse points there are wider gaps by chance.")
     turn_deg: float = judged(25.0, "Normals in corners are askew by so much.")
     begin_m: float = judged(0.3, "A line over so much each way shows the direction of a sheet.")
@@ -98,9 +98,9 @@ class FootprintSettings:
     floor_weight: float = judged(0.8, "A floor, a sill or a low top may also lie in the depth of a wall.")
     soffit_weight: float = judged(0.3, "A beam, a lintel or a shelf says little about what is below.")
     top_m: float = physical(1.4, "Tables and cupboards that stand in a room are lower.")
-    riser_m: float = physical(0.22, "No step of a stair is higher.")
+    riser_m: float = physical(0.22, "Steps of stairs are lower.")
     tread_m: float = physical(0.32, "The next step of a stair lies within the depth of a tread.")
-    drop_m: float = judged(0.3, "A surface farther below the highest around is no ceiling but a soffit.")
+    drop_m: float = judged(0.3, "A surface farther below the highest around is a soffit.")
     around_m: float = physical(0.5, "Most walls are thinner, so that the ceiling beside a lintel is reached.")
     upright_levels: int = judged(5, "Pixels with so many levels are faces, of which no side is known.")
     neighbours: int = physical(6, "This neighbour is 1.4 spacings away in a square pattern on a surface.")
@@ -157,9 +157,9 @@ class RoomSettings:
     lintel_levels: float = judged(1.5, "A lintel is at least so many levels high.")
     parapet_levels: float = judged(5.0, "A parapet is at least so many levels high.")
     open_share: float = judged(0.5, "An opening with surface on more of its levels at eye height is shut.")
-    widest_leaf_m: float = physical(2.0, "Doors of two leaves are no wider.")
+    widest_leaf_m: float = physical(2.0, "Doors of two leaves are narrower.")
     surely_wide: float = judged(10.0, "A space so many times the smallest room is not measured further.")
-    neck_m: float = judged(1.2, "A wider gap without a lintel is no door.")
+    neck_m: float = judged(1.2, "Doors without a lintel are narrower.")
     narrowing: float = judged(0.8, "A door is narrower than the spaces on both its sides.")
     throat_m: float = judged(0.3, "The corners of a door lie within this of where a space is narrow.")
     shortest_chord_m: float = physical(0.05, "A wall is wider, so that nothing nearer is across a door.")
@@ -175,13 +175,13 @@ class RoomSettings:
 class FreeFaceSettings:
     """Which sheets are walls though they bound no room."""
 
-    run_m: float = physical(0.3, "A pier between two windows is no narrower.")
+    run_m: float = physical(0.3, "A pier between two windows is wider.")
     from_m: float = physical(0.3, "Skirtings and steps end below.")
     to_m: float = physical(2.3, "Lintels and eaves begin above.")
     filled: float = judged(0.5, "A wall fills half of the levels, and a railing or a fence does not.")
     apart_m: float = judged(0.12, "A face nearer to a border of a room is that border.")
     front_m: float = judged(0.3, "Before a face it is clear so far, and no wall.")
-    thickest_m: float = physical(0.6, "The other face of the wall is no farther.")
+    thickest_m: float = physical(0.6, "The other face of the wall is nearer.")
     parallel_cosine: float = judged(
         0.98, "The two faces of a wall differ in direction by 11 degrees at most."
     )
@@ -202,7 +202,7 @@ class WallSettings:
     shortest_m: float = physical(0.005, "Nobody draws a shorter edge of a wall.")
     straight_m: float = physical(0.001, "A corner so little off the line of its neighbours says nothing.")
     smallest_m2: float = judged(0.002, "A strip of 10 cm is the shortest wall that one face shows.")
-    longest_cut_m: float = physical(0.9, "A cut slantwise across a thick wall is no longer.")
+    longest_cut_m: float = physical(0.9, "A cut slantwise across a thick wall is shorter.")
     shortest_piece_m: float = physical(0.1, "A shorter piece is an end of a wall: partitions are as thick.")
     junction_sine: float = judged(
         0.25, "Walls that differ in direction by less than 15 degrees are one wall."

@@ -50,7 +50,7 @@ class AcceptanceSettings:
 
     fewest_points: int = physical(16, "Four unknowns, and three times as many points to check them.")
     most_sigma_m: float = judged(0.005, "Scatter of the ranges; scanners have 1 to 3 mm on spheres.")
-    most_scatter: float = judged(0.06, "Scatter in units of the radius; rough things are no spheres.")
+    most_scatter: float = judged(0.06, "Scatter over the radius; rough things scatter more than spheres.")
     sigmas: float = statistical(3.0, "A diameter within three standard deviations of a usual one is that.")
     diameter_m: float = physical(0.003, "Spheres are round to a millimetre; mixed pixels add two.")
     size_tolerance: float = judged(0.06, "Part of the diameter by which one may differ at all.")
