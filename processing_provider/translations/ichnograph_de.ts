@@ -343,7 +343,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/normals.py"/>
         <source>%1 of %2 seem to be normals; they are not turned if the cloud is, unless they are called nx, ny and nz.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 scheinen Normalen zu sein; sie werden nicht mitgedreht, wenn die Punktwolke gedreht wird, es sei denn, sie heißen nx, ny und nz.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/number_table.py"/>
@@ -547,7 +547,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte %1</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -1265,22 +1265,22 @@
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>A round wall with a radius of %1 m is rolled out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine runde Wand mit einem Radius von %1 m wird abgewickelt.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>%1 sides are rolled out: %2 m long.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Seiten werden abgewickelt: %2 m lang.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>No round wall with a radius of %1 to %2 m was found of which %3 degrees are seen; cut the cloud to the tower, or choose another UNROLL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde keine runde Wand mit einem Radius von %1 bis %2 m gefunden, von der %3 Grad zu sehen sind; die Punktwolke auf den Turm zuschneiden oder für UNROLL etwas anderes wählen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>No sides were found that meet at the facade and turn by %1 to %2 degrees; choose another UNROLL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurden keine Seiten gefunden, die an der Fassade aneinanderstoßen und um %1 bis %2 Grad abknicken; für UNROLL etwas anderes wählen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
@@ -1464,32 +1464,32 @@
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>shallow and small, as of damage of the stone</source>
-        <translation type="unfinished"></translation>
+        <translation>flach und klein, wie bei einem Schaden am Stein</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>nothing was seen behind it, so that the wall may not have been scanned there</source>
-        <translation type="unfinished"></translation>
+        <translation>dahinter wurde nichts gesehen, sodass die Wand dort vielleicht nicht gescannt wurde</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>low, and without head and sill, as of a gap between things on the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>niedrig und ohne Sturz und Brüstung, wie eine Lücke zwischen Dingen am Boden</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>not bounded by the wall all around</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht ringsum von der Wand begrenzt</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>narrow, at the end of the wall or of what was scanned of it</source>
-        <translation type="unfinished"></translation>
+        <translation>schmal, am Ende der Wand oder dessen, was von ihr gescannt wurde</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>ragged, as of damage or a shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgefranst, wie bei einem Schaden oder Schatten</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/heads.py"/>
@@ -1530,12 +1530,12 @@
     <message>
         <location filename="../../algorithms/facade/output/report.py"/>
         <source>Its sides are rolled out beside each other: u runs along the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Seiten sind nebeneinander abgewickelt: u verläuft entlang der Wand.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/report.py"/>
         <source>It is round and rolled out: u runs along the arc, on a radius of %1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist rund und abgewickelt: u verläuft entlang des Bogens, auf einem Radius von %1 m.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1751,7 +1751,7 @@
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>the scanners that measured %1 % of the wall stood on that side</source>
-        <translation type="unfinished"></translation>
+        <translation>die Scanner, die %1 % der Wand gemessen haben, standen auf dieser Seite</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
@@ -1761,17 +1761,17 @@
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m dahinter bedeckt eine parallele Fläche, ihre Innenseite, %2 % der Wand, und eine davor %3 %</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % der Pixel mit Punkten nahe hinter der Wand liegen in ihren Löchern, und %2 % derer nahe davor</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
-        <translation type="unfinished"></translation>
+        <translation>die meisten Punkte weit von der Wand liegen auf dieser Seite (%1 von %2), und ihre Löcher zeigen nicht, wo vorne ist</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>
@@ -1956,7 +1956,7 @@
     <message>
         <location filename="../../algorithms/registration/lists/covariances.py"/>
         <source>%1 of the %2 points in %3 count like points without standard deviations, because one of these is missing or not positive, or the correlations contradict each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 der %2 Punkte in %3 zählen wie Punkte ohne Standardabweichungen, weil eine davon fehlt oder nicht positiv ist oder die Korrelationen einander widersprechen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/covariances.py"/>
@@ -5972,7 +5972,7 @@
     <message>
         <location filename="../../processing_provider/fields.py"/>
         <source>Correlation, %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation, %1 und %2</translation>
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
@@ -6580,27 +6580,27 @@
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Facades that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgewinkelte und runde Fassaden</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>A flat facade has one plane. Sides: the sides of a canted bay or a polygonal tower that meet at the facade are drawn beside each other, each in its own plane. Round: a round tower is rolled out, so that u runs along the arc of its outer face; the log states the radius. In a folder of every facade, those that do not turn are drawn flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine ebene Fassade hat eine Ebene. Seiten: Die Seiten eines abgeschrägten Erkers oder eines polygonalen Turms, die an der Fassade aneinanderstoßen, werden nebeneinander gezeichnet, jede in ihrer eigenen Ebene. Rund: Ein runder Turm wird abgewickelt, sodass u entlang des Bogens seiner Außenfläche verläuft; das Protokoll nennt den Radius. In einem Ordner mit allen Fassaden werden Fassaden ohne Knick und Rundung eben gezeichnet.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Eben</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Sides of a bay or a tower</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten eines Erkers oder Turms</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Round tower</source>
-        <translation type="unfinished"></translation>
+        <translation>Runder Turm</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6690,7 +6690,7 @@
     <message>
         <location filename="../../processing_provider/parameters/folders.py"/>
         <source>%1 %2 still holds %3 of an earlier run; this one did not write it. Remove it, or choose a new folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 enthält noch %3 aus einem früheren Lauf; dieser hat das nicht geschrieben. Entfernen oder einen neuen Ordner wählen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/folders.py"/>

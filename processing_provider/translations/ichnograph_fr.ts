@@ -343,7 +343,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/normals.py"/>
         <source>%1 of %2 seem to be normals; they are not turned if the cloud is, unless they are called nx, ny and nz.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 semblent être des normales ; elles ne sont pas tournées avec le nuage, sauf si elles s&#x27;appellent nx, ny et nz.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/number_table.py"/>
@@ -547,7 +547,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>column %1</source>
-        <translation type="unfinished"></translation>
+        <translation>colonne %1</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -1265,22 +1265,22 @@
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>A round wall with a radius of %1 m is rolled out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un mur rond d&#x27;un rayon de %1 m est développé.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>%1 sides are rolled out: %2 m long.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pans sont développés : %2 m de long.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>No round wall with a radius of %1 to %2 m was found of which %3 degrees are seen; cut the cloud to the tower, or choose another UNROLL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun mur rond d&#x27;un rayon de %1 à %2 m n&#x27;a été trouvé dont %3 degrés soient vus ; découpez le nuage à la tour, ou choisissez une autre option pour UNROLL.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/development/development.py"/>
         <source>No sides were found that meet at the facade and turn by %1 to %2 degrees; choose another UNROLL.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun pan n&#x27;a été trouvé qui se raccorde à la façade et tourne de %1 à %2 degrés ; choisissez une autre option pour UNROLL.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/elevation.py"/>
@@ -1464,32 +1464,32 @@
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>shallow and small, as of damage of the stone</source>
-        <translation type="unfinished"></translation>
+        <translation>peu profond et petit, comme d&#x27;un dégât de la pierre</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>nothing was seen behind it, so that the wall may not have been scanned there</source>
-        <translation type="unfinished"></translation>
+        <translation>rien n&#x27;a été vu derrière, si bien que le mur n&#x27;y a peut-être pas été scanné</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>low, and without head and sill, as of a gap between things on the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>bas, sans linteau ni appui, comme une lacune entre des objets au sol</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>not bounded by the wall all around</source>
-        <translation type="unfinished"></translation>
+        <translation>pas bordé par le mur sur tout le pourtour</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>narrow, at the end of the wall or of what was scanned of it</source>
-        <translation type="unfinished"></translation>
+        <translation>étroit, au bout du mur ou de ce qui en a été scanné</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>ragged, as of damage or a shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>déchiqueté, comme d&#x27;un dégât ou d&#x27;une ombre</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/heads.py"/>
@@ -1530,12 +1530,12 @@
     <message>
         <location filename="../../algorithms/facade/output/report.py"/>
         <source>Its sides are rolled out beside each other: u runs along the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ses pans sont développés côte à côte : u court le long du mur.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/report.py"/>
         <source>It is round and rolled out: u runs along the arc, on a radius of %1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elle est ronde et développée : u court le long de l&#x27;arc, sur un rayon de %1 m.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/output/templates/facade.html"/>
@@ -1751,7 +1751,7 @@
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>the scanners that measured %1 % of the wall stood on that side</source>
-        <translation type="unfinished"></translation>
+        <translation>les scanners qui ont mesuré %1 % du mur étaient de ce côté</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
@@ -1761,17 +1761,17 @@
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>à %1 m derrière, une surface parallèle, son parement intérieur, couvre %2 % du mur, et une devant %3 %</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % des pixels avec des points juste derrière le mur sont dans ses trous, et %2 % de ceux juste devant</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/planes/side.py"/>
         <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
-        <translation type="unfinished"></translation>
+        <translation>la plupart des points loin du mur sont de ce côté (%1 sur %2), et ses trous ne montrent pas où est le devant</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>
@@ -1956,7 +1956,7 @@
     <message>
         <location filename="../../algorithms/registration/lists/covariances.py"/>
         <source>%1 of the %2 points in %3 count like points without standard deviations, because one of these is missing or not positive, or the correlations contradict each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 des %2 points de %3 comptent comme des points sans écarts-types, car l&#x27;un de ceux-ci manque ou n&#x27;est pas positif, ou les corrélations se contredisent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/covariances.py"/>
@@ -5972,7 +5972,7 @@
     <message>
         <location filename="../../processing_provider/fields.py"/>
         <source>Correlation, %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrélation, %1 et %2</translation>
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
@@ -6580,27 +6580,27 @@
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Facades that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Façades à pans ou rondes</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>A flat facade has one plane. Sides: the sides of a canted bay or a polygonal tower that meet at the facade are drawn beside each other, each in its own plane. Round: a round tower is rolled out, so that u runs along the arc of its outer face; the log states the radius. In a folder of every facade, those that do not turn are drawn flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une façade plane a un seul plan. Pans : les pans d&#x27;un oriel à pans coupés ou d&#x27;une tour polygonale qui se touchent à la façade sont dessinés côte à côte, chacun dans son propre plan. Ronde : une tour ronde est développée, de sorte que u court le long de l&#x27;arc de son parement extérieur ; le journal indique le rayon. Dans un dossier de toutes les façades, celles qui ne tournent pas sont dessinées à plat.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Plane</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Sides of a bay or a tower</source>
-        <translation type="unfinished"></translation>
+        <translation>Pans d&#x27;un oriel ou d&#x27;une tour</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Round tower</source>
-        <translation type="unfinished"></translation>
+        <translation>Tour ronde</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
@@ -6690,7 +6690,7 @@
     <message>
         <location filename="../../processing_provider/parameters/folders.py"/>
         <source>%1 %2 still holds %3 of an earlier run; this one did not write it. Remove it, or choose a new folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 contient encore %3 d&#x27;une exécution antérieure ; celle-ci ne l&#x27;a pas écrit. Supprimez-le, ou choisissez un nouveau dossier.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/folders.py"/>
