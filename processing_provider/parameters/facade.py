@@ -1,6 +1,6 @@
 """Parameters of the algorithms for facades, with the symbols of the paper in the help."""
 
-from .map_layers import DrawnShapes
+from .drawn_shapes import DrawnShapes
 from .parameter import Choice, Flag, Number, Place
 
 DISTANCE = Number(

@@ -10,30 +10,12 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
-    QgsProcessingFeatureSourceDefinition,
-    QgsProcessingParameterFeatureSource,
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterVectorLayer,
 )
 
 from ...algorithms.errors import InputError
-from .outlines import file_of, straight
-from .parameter import Parameter, marked
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """Lines and polygons of a layer.
-
-    Attributes
-    ----------
-    shapes : tuple of shapely geometry
-    path : str or None
-        The file of the layer; None without a file.
-    """
-
-    shapes: tuple[Any, ...] = ()
-    path: Optional[str] = None
+from .parameter import Parameter
 
 
 @dataclass(frozen=True)
@@ -79,42 +61,3 @@ class ShownRaster(ShownLayer):
     ) -> Optional[QgsMapLayer]:
         layer = algorithm.parameterAsRasterLayer(parameters, self.name, context)
         return self._checked(layer, algorithm.parameterAsString(parameters, self.name, context))
-
-
-@dataclass(frozen=True)
-class DrawnShapes(Parameter):
-    """Optional lines and polygons: a layer, or only its selected features."""
-
-    def _definition(self) -> QgsProcessingParameterFeatureSource:
-        kinds = [QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon]
-        return marked(QgsProcessingParameterFeatureSource(self.name, self.description, kinds, optional=True))
-
-    def value(
-        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> Drawn:
-        """Return the shapes as those of shapely."""
-        if not parameters.get(self.name):
-            return Drawn()
-        source = algorithm.parameterAsSource(parameters, self.name, context)
-        if source is None:
-            raise InputError(f"{self.name} {parameters[self.name]} cannot be read; choose another layer.")
-        from shapely import wkb
-        from shapely.errors import ShapelyError
-
-        try:
-            shapes = [wkb.loads(shape) for feature in source.getFeatures() if (shape := straight(feature))]
-        except ShapelyError as error:
-            raise InputError(
-                f"{self.name} has a shape that cannot be read ({error}); correct or remove it."
-            ) from error
-        shapes = [shape for shape in shapes if not shape.is_empty]
-        if not shapes:
-            raise InputError(f"{self.name} has no lines or polygons; draw one, or leave it empty.")
-        given = parameters[self.name]
-        if isinstance(given, QgsProcessingFeatureSourceDefinition):
-            given = given.source
-        layer = algorithm.parameterAsVectorLayer({self.name: given}, self.name, context)
-        return Drawn(tuple(shapes), file_of(layer) if layer else None)
-
-    def sources(self, value: Drawn) -> list[str]:
-        return [value.path] if value.path else []

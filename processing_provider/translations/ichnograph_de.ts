@@ -6353,6 +6353,22 @@
         <translation>%1 %2 ist zugleich %3; einen anderen Namen wählen.</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 %2 cannot be read; choose another layer.</source>
+        <translation>%1 %2 kann nicht gelesen werden; einen anderen Layer wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
+        <translation>%1 enthält ein Objekt, das nicht gelesen werden kann (%2); es berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
+        <translation>%1 enthält keine Linien oder Polygone; eines zeichnen oder das Feld leer lassen.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Distance from a plane</source>
         <translation>Abstand von einer Ebene</translation>
@@ -6699,23 +6715,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 %2 cannot be read; choose another layer.</source>
-        <translation>%1 %2 kann nicht gelesen werden; einen anderen Layer wählen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 is empty; choose a layer.</source>
         <translation>%1 ist leer; einen Layer wählen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
-        <translation>%1 enthält ein Objekt, das nicht gelesen werden kann (%2); es berichtigen oder entfernen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
-        <translation>%1 enthält keine Linien oder Polygone; eines zeichnen oder das Feld leer lassen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/outlines.py"/>

@@ -6353,6 +6353,22 @@
         <translation>%1 %2 est aussi %3 ; choisissez un autre nom.</translation>
     </message>
     <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <location filename="../../processing_provider/parameters/map_layers.py"/>
+        <source>%1 %2 cannot be read; choose another layer.</source>
+        <translation>%1 %2 ne peut pas être lu ; choisissez une autre couche.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
+        <translation>%1 contient une forme qui ne peut pas être lue (%2) ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
+        <translation>%1 n&#x27;a ni lignes ni polygones ; dessinez-en, ou laissez-le vide.</translation>
+    </message>
+    <message>
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>Distance from a plane</source>
         <translation>Distance à un plan</translation>
@@ -6699,23 +6715,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 %2 cannot be read; choose another layer.</source>
-        <translation>%1 %2 ne peut pas être lu ; choisissez une autre couche.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
         <source>%1 is empty; choose a layer.</source>
         <translation>%1 est vide ; choisissez une couche.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
-        <translation>%1 contient une forme qui ne peut pas être lue (%2) ; corrigez-la ou supprimez-la.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/map_layers.py"/>
-        <source>%1 has no lines or polygons; draw one, or leave it empty.</source>
-        <translation>%1 n&#x27;a ni lignes ni polygones ; dessinez-en, ou laissez-le vide.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/outlines.py"/>
