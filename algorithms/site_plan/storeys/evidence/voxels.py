@@ -82,8 +82,9 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
         band = settings.agreeing_noises * max(noise, settings.least_noise_m)
         band = min(band, settings.agreeing_share * radius)
         rows = np.flatnonzero(lonely | mixed)
-        normal[rows], count = _agreeing_normals(xyz, rows, 2 * radius, band)
-        surface[rows] = count >= settings.fewest_agreeing
+        normal[rows], count, around = _agreeing_normals(xyz, rows, 2 * radius, band)
+        # Where fewer points are around, all of them must agree.
+        surface[rows] = count >= np.clip(around, fewest, settings.fewest_agreeing)
     normal[~surface] = 0.0
     return Voxels(xyz, normal, settings.edge_m, spacing, noise)
 
@@ -197,8 +198,8 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
 
 def _agreeing_normals(
     xyz: np.ndarray, rows: np.ndarray, radius: float, band: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return normals (n, 3) of the planes on which most of the points around one lie, and how many do.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return normals (n, 3) of the planes on which most points around one lie, how many do, and how many are.
 
     Where points are as far apart as the two faces of a partition, those around one lie on both faces.
     """
@@ -208,7 +209,7 @@ def _agreeing_normals(
     normal = np.zeros((len(rows), 3), np.float32)
     count = np.zeros(len(rows), np.int64)
     _fit_agreeing(xyz, rows, near, band, normal, count)
-    return normal, count
+    return normal, count, (near >= 0).sum(axis=1)
 
 
 @kernel

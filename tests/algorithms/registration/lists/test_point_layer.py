@@ -221,7 +221,9 @@ def test_a_value_that_stands_for_no_height_is_none(tmp_path):
     np.testing.assert_array_equal(points.xyz[:, 2], [1.5, 2.5, 3.25])
 
 
-@pytest.mark.parametrize(("z", "heights"), [([0.0, 0, 0], [1.5, None, 3.25]), ([5.0, 0, 6], [5.0, 503, 6])])
+@pytest.mark.parametrize(
+    ("z", "heights"), [([0.0, 0, 0], [1.5, None, 3.25]), ([5.0, 0, 6], [5.0, 503.0, 6.0])]
+)
 def test_points_at_0_of_which_a_field_knows_some_heights_are_said(tmp_path, z, heights):
     points = layer_with_heights(tmp_path, z, heights)
     np.testing.assert_array_equal(points.xyz[:, 2], z)

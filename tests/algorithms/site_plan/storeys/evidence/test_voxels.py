@@ -43,6 +43,14 @@ def test_both_faces_of_a_partition_have_normals_though_points_are_as_far_apart(s
     assert (np.abs(voxels.normal[on_faces, 1]) > 0.97).mean() > 0.95
 
 
+def test_a_wall_far_from_the_scanner_has_normals_though_few_points_are_around_each():
+    near, far = upright((0, 0), (2, 0), spacing=0.02), upright((8, 0), (12, 0), spacing=0.08)
+    voxels = make_voxels([scanned(near, far, flat(0, 0, 2, 0.5, 0.0, 0.02))])
+    inside = (voxels.xyz[:, 0] > 8.3) & (voxels.xyz[:, 0] < 11.7)
+    inside &= (voxels.xyz[:, 2] > 0.3) & (voxels.xyz[:, 2] < 2.0)
+    assert (np.abs(voxels.normal[inside, 1]) > 0.97).mean() > 0.9
+
+
 def test_reflections_far_away_are_left_out():
     points = np.concatenate([scanned(room(0, 0, 4, 3)), [[900.0, 0.0, 0.0], [0.0, -700.0, 3.0]]])
     assert np.abs(make_voxels([points]).xyz).max() < 5
