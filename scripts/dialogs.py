@@ -4,14 +4,12 @@ python3 -m ichnograph.scripts.dialogs build/dialogs [siteplan facadedetails]
 """
 
 import argparse
-import os
-import sys
 from pathlib import Path
 
 from ichnograph.processing_provider.provider import Provider
 from qgis.core import QgsApplication
 
-from .provider import own_algorithms, provider_in
+from .provider import own_algorithms, run_with_provider
 
 SIZE = (1150, 900)
 """Pixels; about as a desktop opens it."""
@@ -39,12 +37,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("names", nargs="*", help="of algorithms")
     arguments = parser.parse_args()
-    # As on the desktop, where the help has sections.
-    application = QgsApplication([], True, "", "desktop")
-    photograph(provider_in(application), arguments.folder, arguments.names)
-    sys.stdout.flush()
-    # QGIS's widgets crash if Python takes them down in its own order.
-    os._exit(0)
+    run_with_provider(lambda provider: photograph(provider, arguments.folder, arguments.names))
 
 
 if __name__ == "__main__":

@@ -1,15 +1,20 @@
 """The provider in a QGIS that runs without a screen."""
 
+import os
 import site
+import sys
 from pathlib import Path
+from typing import Callable
 
 from ichnograph.processing_provider.algorithm import Algorithm
 from ichnograph.processing_provider.provider import Provider
 from qgis.core import QgsApplication
 
 
-def provider_in(application: QgsApplication) -> Provider:
-    """Start QGIS and its toolbox, and return the provider of this plugin."""
+def run_with_provider(run: Callable[[Provider], None]) -> None:
+    """Start QGIS and its toolbox, run something with the provider of this plugin, and leave Python."""
+    # As on the desktop, where the help has sections.
+    application = QgsApplication([], True, "", "desktop")
     application.initQgis()
     site.addsitedir(str(Path(QgsApplication.pkgDataPath()) / "python" / "plugins"))
     from processing.core.Processing import Processing
@@ -17,7 +22,10 @@ def provider_in(application: QgsApplication) -> Provider:
     Processing.initialize()
     provider = Provider()
     QgsApplication.processingRegistry().addProvider(provider)
-    return provider
+    run(provider)
+    sys.stdout.flush()
+    # QGIS's widgets crash if Python takes them down in its own order.
+    os._exit(0)
 
 
 def own_algorithms(provider: Provider) -> list[Algorithm]:

@@ -7,19 +7,16 @@ provider. Sphinx makes the site of them, and checks every link.
 """
 
 import argparse
-import os
 import shutil
-import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ichnograph.processing_provider.algorithm import Algorithm
 from ichnograph.processing_provider.provider import Provider
-from qgis.core import QgsApplication
 
 from ..dialogs import photograph
 from ..house import ROOT
-from ..provider import own_algorithms, provider_in
+from ..provider import own_algorithms, run_with_provider
 
 PAGES = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "LICENSE")
 DIALOGS = "docs/pictures/dialogs"
@@ -99,11 +96,8 @@ def main() -> None:
     """Write the pages."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path)
-    application = QgsApplication([], True, "", "desktop")
-    write_pages(provider_in(application), parser.parse_args().folder)
-    sys.stdout.flush()
-    # QGIS's widgets crash if Python takes them down in its own order.
-    os._exit(0)
+    folder = parser.parse_args().folder
+    run_with_provider(lambda provider: write_pages(provider, folder))
 
 
 if __name__ == "__main__":
