@@ -92,7 +92,7 @@ def _fitted(
         network.covariance_of(labels[rows]),
         settings,
         line_width(scan.xyz, settings),
-        None if scan.covariances is None else scan.covariances[rows],
+        scan.covariances_of(rows),
     )
     return fit, network
 
@@ -156,8 +156,7 @@ def _appended(
         return network
     design = fit.pose.rotated(scan.xyz[rows])
     design = parameter_design(design, fit.model).reshape(-1, fit.model.unknowns)
-    own = None if scan.covariances is None else scan.covariances[rows]
-    of_targets = block_diag(*in_control_frame(own, len(rows), fit.pose, sigma))
+    of_targets = block_diag(*in_control_frame(scan.covariances_of(rows), len(rows), fit.pose, sigma))
     covariance = design @ fit.cofactors @ design.T + of_targets
     with_loose = design @ fit.gain @ network.covariance_with_loose(used)
     names = tuple(scan.names[row] for row in rows)

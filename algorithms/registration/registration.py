@@ -102,7 +102,7 @@ def _with_survey(scans: Sequence[PointList], settings: Settings) -> tuple[Settin
     Beside centres that are exact to a tenth of a millimetre, the errors of the survey are not small: held
     fixed, it would lead to the rejection of right targets.
     """
-    own = any(scan.covariances is not None and np.isfinite(scan.covariances).any() for scan in scans)
+    own = any(scan.has_covariances for scan in scans)
     if settings.control_sigma or not own:
         return settings, []
     sentence = (
@@ -124,7 +124,7 @@ def reduced(points: PointList) -> tuple[PointList, np.ndarray]:
         xyz=points.xyz[order] - origin,
         origins=tuple(points.origins[row] for row in order) if points.origins else (),
         stds=None if points.stds is None else points.stds[order],
-        covariances=None if points.covariances is None else points.covariances[order],
+        covariances=points.covariances_of(order),
     ), origin
 
 

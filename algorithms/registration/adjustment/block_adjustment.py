@@ -73,10 +73,8 @@ def _adjusted(
     for scan, rows in zip(sequence.placed, used):
         if not fixes_pose(scan.scan.xyz[rows], settings.model, line_width(scan.scan.xyz, settings)):
             raise np.linalg.LinAlgError(f"{scan.scan.name} has too few points left")
-        own = scan.scan.covariances
-        sightings.append(
-            Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose, None if own is None else own[rows])
-        )
+        own = scan.scan.covariances_of(rows)
+        sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose, own))
     block = adjust(
         sightings,
         sequence.network.points,

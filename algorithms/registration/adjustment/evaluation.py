@@ -224,7 +224,7 @@ def _misjudged_sigma(scan: PointList, test: GlobalTest, settings: Settings) -> l
     """Warn if the residuals contradict the a priori standard deviations."""
     if not test.probability < settings.adjustment.tests.significance:
         return []
-    if scan.covariances is not None and np.isfinite(scan.covariances).any():
+    if scan.has_covariances:
         return [
             f"The residuals of {scan.name} are {test.sigma0:.1f} times as large as the standard deviations "
             f"of its targets and of the control points suggest (chi-square probability "

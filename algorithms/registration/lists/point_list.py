@@ -59,6 +59,15 @@ class PointList:
     stds: Optional[np.ndarray] = None
     covariances: Optional[np.ndarray] = None
 
+    @property
+    def has_covariances(self) -> bool:
+        """Whether any point has a covariance of its own."""
+        return self.covariances is not None and bool(np.isfinite(self.covariances).any())
+
+    def covariances_of(self, rows: np.ndarray) -> Optional[np.ndarray]:
+        """Return the covariances of some points, shape (k, 3, 3); None if the list has none."""
+        return None if self.covariances is None else self.covariances[rows]
+
 
 def read_point_list(
     path: Union[str, Path], layer: Optional[str] = None, settings: ListSettings = ListSettings()

@@ -44,8 +44,8 @@ def has_list(names: Sequence[str], cloud: Path) -> bool:
 
 def lists_beside(clouds: Sequence[str]) -> list[str]:
     """Return the lists in the folder of the clouds that are named after one of them, by name."""
-    found: set[str] = set()
-    for cloud in map(Path, clouds):
-        others = (path for path in cloud.parent.iterdir() if path.suffix.lower() in LISTS)
-        found.update(str(path) for path in others if has_list([path.stem], cloud))
-    return sorted(found - set(clouds))
+    paths = [Path(cloud) for cloud in clouds]
+    files = [path for folder in {path.parent for path in paths} for path in folder.iterdir()]
+    lists = [path for path in files if path.suffix.lower() in LISTS and path not in paths]
+    found = [path for path in lists if any(has_list([path.stem], cloud) for cloud in paths)]
+    return sorted(map(str, found))

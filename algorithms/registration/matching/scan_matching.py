@@ -122,7 +122,7 @@ def _kept(task: MatchingTask, solution: Solution) -> np.ndarray:
     points, targets = task.control.points[solution.labels[rows]], task.scan.xyz[rows]
     nothing = np.zeros((3 * len(rows), 3 * len(rows)))
     width = line_width(task.scan.xyz, task.settings)
-    own = None if task.scan.covariances is None else task.scan.covariances[rows]
+    own = task.scan.covariances_of(rows)
     return rows[fit_scan(targets, points, nothing, task.settings, width, own).used]
 
 
