@@ -15,6 +15,7 @@ holds. All scenes take hours: choose some. Real clouds join the site plan where 
 import argparse
 import os
 import pickle
+import re
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -260,7 +261,7 @@ def main() -> None:
     parser.add_argument("chapters", nargs="*", default=["site_plan", "facade", "registration"])
     parser.add_argument("--change", type=float, default=0.3, help="share by which constants are varied")
     parser.add_argument("--processes", type=int, default=os.cpu_count())
-    parser.add_argument("--match", default="", help="only constants whose path holds this")
+    parser.add_argument("--match", default="", help="only constants whose path holds this regular expression")
     parser.add_argument("--scenes", nargs="+", help="names of simulated scenes; all if not given")
     parser.add_argument("--angular-step", type=float, default=0.5, help="of the scanner, degrees")
     parser.add_argument("--spacing", type=float, default=0.02, help="of the points of facades, metres")
@@ -276,7 +277,8 @@ def main() -> None:
             print(f"\n{name}: {scores}\n", flush=True)
             print("| constant | value | kind | smaller: mean (largest) % | larger: mean (largest) % |")
             print("|---|---|---|---|---|", flush=True)
-            chosen = [item for item in constants(chapter.settings) if arguments.match in ".".join(item.path)]
+            every = constants(chapter.settings)
+            chosen = [item for item in every if re.search(arguments.match, ".".join(item.path))]
             runs = [
                 [pool.submit(effect, chapter, base, item, factor) for factor in _factors(arguments.change)]
                 for item in chosen

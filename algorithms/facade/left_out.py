@@ -27,10 +27,6 @@ NOT_STRAIGHT = "no straight sides, as of a stain"
 BEHIND = "parallel to the wall, but not a part of it"
 OBLIQUE = "at {:.0f} degrees to the wall"
 
-MOSTLY = 0.5
-PARALLEL_DEG = 10.0
-"""A plane is drawn if most of its points are on the wall; it is parallel within this angle."""
-
 
 def reason_against(
     item: TracedDetail,
@@ -81,7 +77,7 @@ def surfaces_left_out(
     explained: np.ndarray,
     frame: Frame,
     spacing: float,
-    distance: float,
+    settings: FacadeSettings,
 ) -> Iterator[LeftOut]:
     """Yield the planes of a facade that its elevation does not show, with their own areas.
 
@@ -98,24 +94,25 @@ def surfaces_left_out(
     frame : Frame
         Of the elevation.
     spacing : float
-        Of the averaged points through which the outlines run (m).
-    distance : float
-        ds, the largest distance of a point from its plane (m).
+        Of the points of the wall (m).
+    settings : FacadeSettings
     """
+    constants = settings.left_out
+    square = constants.square_spacings * spacing
     main, inner = segmentation.planes[0], segmentation.side.inner
     for label, plane in enumerate(segmentation.planes[1:], start=2):
         rows = segmentation.labels == label
-        if label in drawn or explained[rows].mean() > MOSTLY:
+        if label in drawn or explained[rows].mean() > constants.on_wall:
             continue
-        if inner is not None and abs(main.distances(plane.centre) + inner.offset) <= distance:
+        if inner is not None and abs(main.distances(plane.centre) + inner.offset) <= settings.distance_m:
             continue
         own = frame_of(plane, points.origin)
         flat = own.local(points.xyz[rows], points.origin)[:, :2]
-        outline = alpha_shape(triangulate(square_means(flat, spacing)))
-        shape = _projected(outline, own, frame, spacing)
+        outline = alpha_shape(triangulate(square_means(flat, square)))
+        shape = _projected(outline, own, frame, square)
         if not shape.is_empty:
             angle = float(np.degrees(np.arccos(min(plane.normal @ main.normal, 1.0))))
-            reason = BEHIND if angle < PARALLEL_DEG else OBLIQUE.format(angle)
+            reason = BEHIND if angle < constants.parallel_deg else OBLIQUE.format(angle)
             yield LeftOut(shape, SURFACE, reason, outline.area)
 
 

@@ -51,9 +51,6 @@ from .settings import NO_REGIONS, FacadeSettings
 MILLIMETRES = 3
 """Decimals of the position of u, v = 0, 0 on the wall."""
 
-SQUARES = 3.0
-"""Side of the squares in which points of surfaces that are not drawn are averaged, in spacings."""
-
 
 def measure_facade(
     points: Points,
@@ -109,9 +106,7 @@ def measure_facade(
         traced += projecting_details(scene, label, surface, empty, settings)
     progress.update(0.85, "Making outlines")
     explained = _explained(states, openings)
-    surfaces = surfaces_left_out(
-        points, segmentation, projections, explained, frame, SQUARES * wall.spacing, settings.distance_m
-    )
+    surfaces = surfaces_left_out(points, segmentation, projections, explained, frame, wall.spacing, settings)
     looks = coloured.looks
     return _elevation(
         points, scene, frame, wall, segmentation.side, states, traced, looks, tuple(surfaces), settings

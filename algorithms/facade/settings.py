@@ -52,6 +52,17 @@ class CompletionSettings:
 
 
 @dataclass(frozen=True)
+class LeftOutSettings:
+    """Surfaces that an elevation does not show."""
+
+    on_wall: float = judged(0.5, "A surface of which more lies on the wall or in an opening is shown.")
+    parallel_deg: float = judged(10.0, "At a larger angle to the wall a surface is oblique.")
+    square_spacings: float = judged(
+        3.0, "Points are averaged in squares so wide: an outline of what is not drawn needs no more."
+    )
+
+
+@dataclass(frozen=True)
 class FacadeSettings:
     """How the details of a facade are found.
 
@@ -124,6 +135,7 @@ class FacadeSettings:
     colour: ColourSettings = field(default_factory=ColourSettings)
     outlines: OutlineSettings = field(default_factory=OutlineSettings)
     completion: CompletionSettings = field(default_factory=CompletionSettings)
+    left_out: LeftOutSettings = field(default_factory=LeftOutSettings)
     orthoimage: OrthoimageSettings = field(default_factory=OrthoimageSettings)
 
     @property

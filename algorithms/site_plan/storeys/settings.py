@@ -21,6 +21,13 @@ class VoxelSettings:
     lonely_share: float = judged(0.05, "If more voxels lack neighbours, those twice as far are tried.")
     mixing_radius_m: float = physical(0.07, "A wider ball holds points of both faces of a thin partition.")
     fewest_agreeing: int = judged(7, "So many of twenty points around show a face that is partly hidden.")
+    tried_points: int = physical(
+        24, "Planes are tried through these and the point itself; a disc of three spacings holds 28."
+    )
+    tried_sine: float = judged(
+        0.3,
+        "Sine of the angle between two points, seen from a third; a plane through a thinner triangle tilts.",
+    )
     agreeing_noises: float = statistical(3.0, "99.7 % of normally distributed points lie within.")
     agreeing_share: float = judged(0.2, "A surface is so thin for its width, whatever the noise seems to be.")
     least_noise_m: float = judged(0.004, "Walls are no planer over the half metre around a point.")
@@ -201,6 +208,7 @@ class WallSettings:
     crack_m: float = judged(0.002, "Cracks up to twice as wide come from faces that do not quite meet.")
     shortest_m: float = physical(0.005, "Nobody draws a shorter edge of a wall.")
     straight_m: float = physical(0.001, "A corner so little off the line of its neighbours says nothing.")
+    parapet_edge_m: float = judged(0.005, "A face so near to the edge of a parapet is that edge.")
     smallest_m2: float = judged(0.002, "A strip of 10 cm is the shortest wall that one face shows.")
     longest_cut_m: float = physical(0.9, "A cut slantwise across a thick wall is shorter.")
     shortest_piece_m: float = physical(0.1, "A shorter piece is an end of a wall: partitions are as thick.")

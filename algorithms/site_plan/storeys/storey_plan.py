@@ -29,14 +29,11 @@ from .evidence.sheets import Sheet, find_sheets
 from .evidence.uprights_along import UprightsAlong
 from .evidence.voxels import Voxels, make_voxels
 from .rooms.room_cells import Room, find_rooms
-from .settings import StoreySettings
+from .settings import StoreySettings, WallSettings
 from .walls.free_faces import clear_before, free_faces, screens
 from .walls.left_out import LeftOut, find_left_out
 from .walls.wall_bodies import behind, wall_bodies
 from .walls.walls import Wall, describe_walls
-
-LINED_M = 0.005
-"""A face so near to the edge of a parapet is its own, metres."""
 
 
 @dataclass(frozen=True)
@@ -183,14 +180,14 @@ def _walls(
         solid = united([solid, behind(thin, settings.walls.strip_m)])
     bodies = wall_bodies(np.vstack([faces, free, thin]), solid, settings.walls)
     walls = describe_walls(bodies, parapets, along, storey, settings.walls, settings.cut, settings.levels)
-    return [wall for wall in walls if not _lines_parapet(wall, parapets)]
+    return [wall for wall in walls if not _lines_parapet(wall, parapets, settings.walls)]
 
 
-def _lines_parapet(wall: Wall, parapets: list[Polygon]) -> bool:
+def _lines_parapet(wall: Wall, parapets: list[Polygon], settings: WallSettings) -> bool:
     """Return whether a wall of which one face was seen is the other face of a parapet."""
     if wall.kind == "parapet" or wall.thickness is not None:
         return False
-    edge = wall.outline.buffer(LINED_M)
+    edge = wall.outline.buffer(settings.parapet_edge_m)
     return any(edge.intersection(parapet.boundary).length > wall.outline.length / 3 for parapet in parapets)
 
 

@@ -17,12 +17,6 @@ HALF_RANGE = 1 << 20
 
 BITS = 21
 
-AROUND = 24
-"""Points around one, and itself, through which planes are tried; a disc of three spacings holds 28."""
-
-NARROW = 0.3
-"""Sine of the least angle between two points, seen from a third, that a plane through them is sure with."""
-
 PART = 1 << 16
 """Voxels whose normals one thread finds at a time."""
 
@@ -82,7 +76,7 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
         band = settings.agreeing_noises * max(noise, settings.least_noise_m)
         band = min(band, settings.agreeing_share * radius)
         rows = np.flatnonzero(lonely | mixed)
-        normal[rows], count, around = _agreeing_normals(xyz, rows, 2 * radius, band)
+        normal[rows], count, around = _agreeing_normals(xyz, rows, 2 * radius, band, settings)
         # Where fewer points are around, all of them must agree.
         surface[rows] = count >= np.clip(around, fewest, settings.fewest_agreeing)
     normal[~surface] = 0.0
@@ -197,18 +191,18 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
 
 
 def _agreeing_normals(
-    xyz: np.ndarray, rows: np.ndarray, radius: float, band: float
+    xyz: np.ndarray, rows: np.ndarray, radius: float, band: float, settings: VoxelSettings
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return normals (n, 3) of the planes on which most points around one lie, how many do, and how many are.
 
     Where points are as far apart as the two faces of a partition, those around one lie on both faces.
     """
     tree = cKDTree(xyz)
-    distance, near = tree.query(xyz[rows], AROUND, distance_upper_bound=radius)
+    distance, near = tree.query(xyz[rows], settings.tried_points, distance_upper_bound=radius)
     near[np.isinf(distance)] = -1
     normal = np.zeros((len(rows), 3), np.float32)
     count = np.zeros(len(rows), np.int64)
-    _fit_agreeing(xyz, rows, near, band, normal, count)
+    _fit_agreeing(xyz, rows, near, band, settings.tried_sine, normal, count)
     return normal, count, (near >= 0).sum(axis=1)
 
 
@@ -218,6 +212,7 @@ def _fit_agreeing(
     rows: np.ndarray,
     near: np.ndarray,
     band: float,
+    least_sine: float,
     normal: np.ndarray,
     count: np.ndarray,
 ) -> None:
@@ -236,7 +231,7 @@ def _fit_agreeing(
                 y = away[i, 2] * away[j, 0] - away[i, 0] * away[j, 2]
                 z = away[i, 0] * away[j, 1] - away[i, 1] * away[j, 0]
                 size = np.sqrt(x * x + y * y + z * z)
-                if size < NARROW * np.sqrt((away[i] ** 2).sum() * (away[j] ** 2).sum()):
+                if size < least_sine * np.sqrt((away[i] ** 2).sum() * (away[j] ** 2).sum()):
                     continue
                 on, off = 1, 0.0
                 for k in range(n):
