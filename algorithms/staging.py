@@ -215,7 +215,7 @@ def _moves(leader: Path) -> list[Move]:
 
 
 def _relative(path: Path, start: Path) -> str:
-    """Return a path that stays right if the folder of both is moved; an absolute one between drives."""
+    """Return a path that remains right if the folder of both is moved; an absolute one between drives."""
     try:
         return os.path.relpath(path, start)
     except ValueError:

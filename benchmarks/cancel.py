@@ -57,7 +57,7 @@ def whole_run(
 
 
 def latency(runs: ProviderRuns, name: str, moment: float) -> float:
-    """Return how long a run goes on after it is cancelled at a moment; nan if it ends before."""
+    """Return how long a run continues after it is cancelled at a moment; nan if it ends before."""
     from qgis.core import QgsProcessingException
 
     feedback, cancelled = feedback_of([]), []

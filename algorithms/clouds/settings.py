@@ -24,7 +24,7 @@ class TextSettings:
     )
     fewest_for_agreement: int = statistical(100, "Correlations of fewer values scatter by more than a tenth.")
     clearer_agreement: float = judged(
-        0.1, "Correlations of colours exceed those with intensity by more, or the order stays in doubt."
+        0.1, "Correlations of colours exceed those with intensity by more, or the order remains in doubt."
     )
 
 

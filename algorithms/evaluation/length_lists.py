@@ -160,7 +160,7 @@ def _deviation(table: NamedTable, line: int, role: str) -> float:
 
 
 def _metres(table: NamedTable, line: int, role: str) -> float:
-    """Return a number in metres; nan if its field is empty, infinite if it is no number."""
+    """Return a number in metres; nan if its field is empty, infinite if it is not a number."""
     text = table.text(line, role)
     value = table.dialect.number(text) * table.metres(role)
     return math.inf if text and not math.isfinite(value) else value

@@ -7,7 +7,7 @@ import numpy as np
 from shapely.geometry import MultiPolygon, Polygon
 
 from .development.curves import Circle, Curve
-from .planes.side import Side
+from .planes.front import Side
 
 OPENING, RECESS, COLOURED, PROJECTION = "opening", "recess", "coloured detail", "projection"
 KINDS = (OPENING, RECESS, COLOURED, PROJECTION)

@@ -7,7 +7,7 @@ from ..progress import Progress
 from .development.development import FLAT
 from .elevation import Elevation
 from .measurement import measure_facade
-from .planes.side import AUTOMATIC
+from .planes.front import AUTOMATIC
 from .selection import Selection
 from .settings import FacadeSettings
 

@@ -1,4 +1,4 @@
-"""What is left out of an elevation, and why: holes, colours and surfaces that are no details."""
+"""What is left out of an elevation, and why: holes, colours and surfaces that are not details."""
 
 from collections.abc import Collection, Iterator, Sequence
 from typing import Optional
@@ -35,7 +35,7 @@ def reason_against(
     looks: Optional[Appearance],
     settings: FacadeSettings,
 ) -> Optional[str]:
-    """Return why a region is no detail; None if it is one.
+    """Return why a region is not a detail; None if it is one.
 
     Parameters
     ----------

@@ -44,8 +44,8 @@ from .outlines.details import (
 from .outlines.regular_outlines import Outline, make_outline
 from .outlines.surface import Surface, make_surface
 from .outlines.wall_extent import complete, parts_of
+from .planes.front import EAST, WEST, Side
 from .planes.segmentation import find_planes
-from .planes.side import EAST, WEST, Side
 from .settings import NO_REGIONS, FacadeSettings
 
 MILLIMETRES = 3

@@ -43,5 +43,5 @@ def write_page(path: Path, template: Path, **content: object) -> None:
     """
     text = render(template, **content)
     with atomic_output(path) as temporary:
-        # The name of a file can hold bytes that are no text.
+        # The name of a file can hold bytes that are not text.
         temporary.write_bytes(text.encode("utf-8", errors="replace"))

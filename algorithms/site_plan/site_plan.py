@@ -44,7 +44,7 @@ def make_site_plan(
     Raises
     ------
     InputError
-        If the cloud is no site, or two settings contradict each other.
+        If the cloud cannot be a site, or two settings contradict each other.
     NothingFoundError
         If no wall is found.
     CancelledError

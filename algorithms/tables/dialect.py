@@ -12,7 +12,7 @@ from ..errors import InputError
 
 COMMENTS = ("#", "//", ";")
 LOST = re.compile(r"[+-]?(nan(\(\w*\))?|inf(inity)?|\d\.#(IND|QNAN|SNAN|INF)\d*)", re.IGNORECASE)
-"""How programs write a number that is none."""
+"""How programs write a missing number."""
 
 NUMBER = re.compile(rf"[+-]?(\d+(\.\d*|,\d+)?|[.,]\d+)([eE][+-]?\d+)?|{LOST.pattern}", re.IGNORECASE)
 
@@ -230,7 +230,7 @@ def ends_cut_off(lines: list[str], delimiter: str) -> bool:
     """Whether the last number of a file is cut off.
 
     It is if no line end follows, and the number has fewer decimals than the others of its column, which all
-    have one number of decimals. A last field that is no plain number, such as 1e-05 or a remark, is whole.
+    have one number of decimals. A last field that is not a plain number, such as 1e-05 or a remark, is whole.
 
     Parameters
     ----------
@@ -247,6 +247,6 @@ def ends_cut_off(lines: list[str], delimiter: str) -> bool:
 
 
 def _decimals(field: str) -> int:
-    """Return how many decimals a number has, -1 if the field is no plain number."""
+    """Return how many decimals a number has, -1 if the field is not a plain number."""
     match = re.fullmatch(r"[+-]?\d*(?:[.,](\d*))?", field)
     return len(match.group(1) or "") if match else -1

@@ -86,7 +86,7 @@ def read_preamble(
     ------
     InputError
         If a line with names does not name the columns, or names one twice; if a line of numbers has another
-        number of columns or is no row; if a unit is stated for some of the coordinates only; or if remarks
+        number of columns or is not a row; if a unit is stated for some of the coordinates only; or if remarks
         state several.
     """
     columns: dict[str, int] = {}

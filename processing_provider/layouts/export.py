@@ -36,7 +36,7 @@ def write_svg(path: Path, layout: QgsPrintLayout) -> None:
 
 
 def _exact(settings: Any) -> Any:
-    """Return the settings of a format so that geometry keeps its vertices, and texts stay texts."""
+    """Return the settings of a format so that geometry keeps its vertices, and texts remain texts."""
     settings.dpi = DPI
     settings.simplifyGeometries = False
     settings.textRenderFormat = QgsRenderContext.TextRenderFormat.AlwaysText

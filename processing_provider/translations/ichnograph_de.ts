@@ -1714,6 +1714,31 @@
         <translation>Nummer</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>the scanners that measured %1 % of the wall stood on that side</source>
+        <translation>die Scanner, die %1 % der Wand gemessen haben, standen auf dieser Seite</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>SIDE says so</source>
+        <translation>SIDE gibt es so vor</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
+        <translation>%1 m dahinter bedeckt eine parallele Fläche, ihre Innenseite, %2 % der Wand, und eine davor %3 %</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
+        <translation>%1 % der Pixel mit Punkten nahe hinter der Wand liegen in ihren Löchern, und %2 % derer nahe davor</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
+        <translation>die meisten Punkte weit von der Wand liegen auf dieser Seite (%1 von %2), und ihre Löcher zeigen nicht, wo vorne ist</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>ceilings, or the area seen on each side, show where the open air is; the points close to the wall do not show its front</source>
         <translation>Decken oder die auf jeder Seite gesehene Fläche zeigen, wo draußen ist; die Punkte nahe der Wand zeigen nicht, wo vorne ist</translation>
@@ -1747,31 +1772,6 @@
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>Planes of fewer than %1 points are left out.</source>
         <translation>Ebenen mit weniger als %1 Punkten werden ausgelassen.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>the scanners that measured %1 % of the wall stood on that side</source>
-        <translation>die Scanner, die %1 % der Wand gemessen haben, standen auf dieser Seite</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>SIDE says so</source>
-        <translation>SIDE gibt es so vor</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
-        <translation>%1 m dahinter bedeckt eine parallele Fläche, ihre Innenseite, %2 % der Wand, und eine davor %3 %</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
-        <translation>%1 % der Pixel mit Punkten nahe hinter der Wand liegen in ihren Löchern, und %2 % derer nahe davor</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
-        <translation>die meisten Punkte weit von der Wand liegen auf dieser Seite (%1 von %2), und ihre Löcher zeigen nicht, wo vorne ist</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>

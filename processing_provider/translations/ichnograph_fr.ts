@@ -1714,6 +1714,31 @@
         <translation>Numéro</translation>
     </message>
     <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>the scanners that measured %1 % of the wall stood on that side</source>
+        <translation>les scanners qui ont mesuré %1 % du mur étaient de ce côté</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>SIDE says so</source>
+        <translation>SIDE l&#x27;indique</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
+        <translation>à %1 m derrière, une surface parallèle, son parement intérieur, couvre %2 % du mur, et une devant %3 %</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
+        <translation>%1 % des pixels avec des points juste derrière le mur sont dans ses trous, et %2 % de ceux juste devant</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/planes/front.py"/>
+        <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
+        <translation>la plupart des points loin du mur sont de ce côté (%1 sur %2), et ses trous ne montrent pas où est le devant</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>ceilings, or the area seen on each side, show where the open air is; the points close to the wall do not show its front</source>
         <translation>les plafonds, ou la surface vue de chaque côté, montrent où est l&#x27;extérieur ; les points proches du mur ne montrent pas où est le devant</translation>
@@ -1747,31 +1772,6 @@
         <location filename="../../algorithms/facade/planes/segmentation.py"/>
         <source>Planes of fewer than %1 points are left out.</source>
         <translation>Les plans de moins de %1 points sont écartés.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>the scanners that measured %1 % of the wall stood on that side</source>
-        <translation>les scanners qui ont mesuré %1 % du mur étaient de ce côté</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>SIDE says so</source>
-        <translation>SIDE l&#x27;indique</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>%1 m behind it a parallel surface, its inner face, covers %2 % of the wall, and one in front %3 %</source>
-        <translation>à %1 m derrière, une surface parallèle, son parement intérieur, couvre %2 % du mur, et une devant %3 %</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>%1 % of the pixels with points close behind the wall lie in its holes, and %2 % of those close in front</source>
-        <translation>%1 % des pixels avec des points juste derrière le mur sont dans ses trous, et %2 % de ceux juste devant</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/planes/side.py"/>
-        <source>most points far from the wall are on that side (%1 of %2), and its holes do not show which side is the front</source>
-        <translation>la plupart des points loin du mur sont de ce côté (%1 sur %2), et ses trous ne montrent pas où est le devant</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/points.py"/>

@@ -156,7 +156,7 @@ def _image(path: Path) -> Iterator[tuple[Any, Any]]:
         image = libe57.ImageFile(str(path), "r")
         yield libe57, image
     except (libe57.E57Exception, UnicodeDecodeError) as error:
-        # Some errors of the library have no text, or one with bytes of the file that are no letters.
+        # Some errors of the library have no text, or one with bytes of the file that are not letters.
         text = "" if isinstance(error, UnicodeDecodeError) else str(error).strip()
         detail = next(iter(text.splitlines()), "its parts contradict each other")
         raise InputError(f"{path} is truncated or damaged ({detail}); copy or export it again.") from error

@@ -176,7 +176,7 @@ def _named(dtype: np.dtype, names: tuple[str, ...]) -> Optional[tuple[str, ...]]
 def _others(
     layout: Layout, xyz: tuple[str, ...], intensity: Optional[str], rgb: Optional[tuple[str, ...]]
 ) -> list[str]:
-    """Return the properties that are none of these."""
+    """Return the properties other than these."""
     return [name for name in layout.dtype.names or () if name not in (*xyz, intensity, *(rgb or ()))]
 
 

@@ -171,7 +171,7 @@ def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int,
     first = last = number
     for line in stream:
         last += 1
-        # The end of a file in DOS is no content either.
+        # The end of a file in DOS is not content either.
         if not line.replace("\x1a", " ").split():
             continue
         first = first if lines else last - 1

@@ -12,7 +12,7 @@ from ...tables.dialect import is_number
 from ..settings import TextSettings
 
 FEWEST_COUNTED = 10
-"""Rows beyond which a column that counts them is no coordinate."""
+"""Rows beyond which a column that counts them is not a coordinate."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def columns_by_count(
 ) -> tuple[Columns, tuple[str, ...]]:
     """Decide what columns without names hold, by their values: x y z first, then intensity, colour, normals.
 
-    Intensity may stand before or after the colour. What stays doubtful is left out, and said.
+    Intensity may stand before or after the colour. What remains doubtful is left out, and said.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ NARROW = "as narrow as a joint"
 SOFT = "its colour changes gradually, as that of a stain or of lamplight does"
 WEATHERED = "its colour differs no more than the wall's own colours do"
 UNCONFIRMED = "the intensity shows no edge, as that of a shadow does not"
-"""Why a region of another colour is no detail."""
+"""Why a region of another colour is not a detail."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def reason_against_colour(
     colour: float,
     settings: StepSettings = StepSettings(),
 ) -> Optional[str]:
-    """Return why a region of another colour is no detail of the facade; None if it is one.
+    """Return why a region of another colour is not a detail of the facade; None if it is one.
 
     Along most of the border of a detail, the colour changes from one side to the other by a clear step,
     which is larger than the changes beside the border. The intensity, where it is known, changes there too.

@@ -62,7 +62,7 @@ class Chain:
     corners : ndarray of float64, shape (k + 1, 2)
         x, y of the ends of the sides, relative to the origin of the points.
     main : int
-        The side that stays where it is.
+        The side that keeps its position.
     """
 
     corners: np.ndarray

@@ -9,8 +9,8 @@ from ...errors import NothingFoundError
 from ..elevation import Plane, Points
 from .circles import find_circle
 from .curves import Circle, Curve, axes_of
+from .polygonal_walls import find_sides
 from .settings import DevelopmentSettings
-from .sides import find_sides
 
 FLAT, SIDES, ROUND = range(3)
 """Values of UNROLL: a flat facade, the sides of a bay or a polygonal tower, a round tower."""

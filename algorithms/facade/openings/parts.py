@@ -22,5 +22,5 @@ def _outlines(layer: Layer, states: States) -> list[Polygon]:
     closed = closed_wall(ndimage.binary_closing(layer.image, SQUARE), states.spacings, size)
     image = ndimage.binary_opening(closed, SQUARE).astype(np.uint8)
     traced = shapes(image, transform=Affine(size, 0, left, 0, size, bottom))
-    # The corners of pixels are no corners of the wall.
+    # The corners of pixels are not corners of the wall.
     return [Polygon(shape(part).exterior).simplify(size) for part, value in traced if value]

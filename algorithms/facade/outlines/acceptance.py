@@ -24,7 +24,7 @@ def reason_against_opening(
     outline: Outline,
     settings: AcceptanceSettings = AcceptanceSettings(),
 ) -> Optional[str]:
-    """Return why a hole is no opening, but damage or the shadow of something in front; None if it is one.
+    """Return why a hole is not an opening, but damage or the shadow of something in front; None if it is one.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def reason_against_opening(
 def _reason_against_free(
     opening: Opening, border: Border, outline: Outline, settings: AcceptanceSettings
 ) -> Optional[str]:
-    """Return why a free shape is no hole of the wall, behind which something was seen."""
+    """Return why a free shape is not a hole of the wall behind which something was seen."""
     if math.isnan(opening.depth):
         return UNSEEN
     if outline.polygon.area < settings.solid * outline.polygon.convex_hull.area:

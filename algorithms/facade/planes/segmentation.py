@@ -9,10 +9,10 @@ from ...errors import NothingFoundError
 from ...geometry.robust import sigma_of_residuals
 from ...progress import Progress
 from ..elevation import Plane, Points, Segmentation
+from .front import AUTOMATIC, EAST, Side, find_side, given_side
 from .patches import Patch, extract, make_patch
 from .ransac import refit
 from .settings import FitSettings, PlaneSettings
-from .side import AUTOMATIC, EAST, Side, find_side, given_side
 from .voxels import Voxels, make_voxels
 
 NONE, OTHER = 0, -1

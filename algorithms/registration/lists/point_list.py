@@ -102,7 +102,7 @@ def read_point_list(
 def is_cloud(path: Union[str, Path], settings: ListSettings = ListSettings()) -> bool:
     """Return whether a file is a point cloud and not a list: by its extension, or by its number of lines.
 
-    A file that cannot be opened is no cloud; reading it as a list says why.
+    A file that cannot be opened is not a cloud; reading it as a list says why.
     """
     path = Path(path)
     known = format_of(path)

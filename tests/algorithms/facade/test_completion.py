@@ -1,4 +1,4 @@
-"""An edge that was not seen is where the other windows of its row have theirs, or stays as it is."""
+"""An edge that was not seen is where the other windows of its row have theirs, or is unchanged."""
 
 import numpy as np
 import pytest

@@ -7,7 +7,7 @@ import pytest
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.facade.development.development import ROUND, SIDES
 from ichnograph.algorithms.facade.every_facade import measure_every, measure_selection
-from ichnograph.algorithms.facade.planes.side import EAST
+from ichnograph.algorithms.facade.planes.front import EAST
 from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.algorithms.progress import Progress

@@ -33,7 +33,7 @@ def vaulted(seed: int = 0) -> Scene:
     top = SPRING + width / 2 + 0.3
     prisms = [Prism(part, top) for part in polygons(solid.difference(door))]
     prisms += [Prism(part, top, DOOR_HEAD, "lintel") for part in polygons(solid.intersection(door))]
-    # Above a niche the wall goes on.
+    # Above a niche the wall continues.
     prisms += [Prism(part.difference(inside), top, 2.2, "lintel") for part in niches]
     prisms += [Prism(column, SPRING + 1.0) for column in columns]
     prisms += _vault(length, width, top) + _stair(length, width)

@@ -24,12 +24,12 @@ def give_back(
     """Make room of what is solid before a face that would otherwise stand inside of solid.
 
     A tall face must have been seen from somewhere: with solid, or with room, on both of its sides it is not
-    explained, which costs. Cells that no tall face parts go together; the best group goes first.
+    explained, which costs. Cells that no tall face parts go together; the best group comes first.
 
     Parameters
     ----------
     is_room : ndarray of bool, shape (cells + 1,)
-        The last cell is what lies outside, and stays.
+        The last cell is what lies outside, and is kept.
     unseen : ndarray of float, shape (cells,)
         What it costs to call a cell room in place of solid, m2.
     sides : ndarray of int, shape (borders, 2)

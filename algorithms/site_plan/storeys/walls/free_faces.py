@@ -165,7 +165,7 @@ def _seen(footprint: Footprint, xy: np.ndarray) -> float:
 
 
 def clear_before(faces: np.ndarray, depth: float) -> BaseGeometry:
-    """Return the area right before faces, which is no wall."""
+    """Return the area right before faces, which is not wall."""
     boxes = []
     for x0, y0, x1, y1 in faces:
         length = np.hypot(x1 - x0, y1 - y0)

@@ -1,4 +1,4 @@
-"""Lines become numbers; what is no point is passed over or named by its line."""
+"""Lines become numbers; what is not a point is passed over or named by its line."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Along circles and sides, points are moved into a plane and back; lengths along the wall stay."""
+"""Along circles and sides, points are moved into a plane and back; lengths along the wall are kept."""
 
 import numpy as np
 import pytest

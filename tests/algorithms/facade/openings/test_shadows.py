@@ -1,4 +1,4 @@
-"""What a car hides beside a door is no part of the door."""
+"""What a car hides beside a door is not part of the door."""
 
 import numpy as np
 import pytest

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.facade.elevation import Plane, Segmentation
 from ichnograph.algorithms.facade.output.plane_layers import PLANE_FIELDS, write_planes
-from ichnograph.algorithms.facade.planes.side import Side
+from ichnograph.algorithms.facade.planes.front import Side
 from ichnograph.tests.algorithms.facade.samples import bare, upright
 from rasterio.crs import CRS
 from shapely.geometry import shape

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.errors import NothingFoundError
+from ichnograph.algorithms.facade.planes.front import EAST, WEST
 from ichnograph.algorithms.facade.planes.segmentation import find_planes
 from ichnograph.algorithms.facade.planes.settings import PlaneSettings
-from ichnograph.algorithms.facade.planes.side import EAST, WEST
 from ichnograph.tests.algorithms.facade.samples import bare, lattice, upright
 from ichnograph.tests.scenes.facades import FACADES
 

@@ -57,7 +57,7 @@ def test_faces_that_run_the_same_way_do_not_hide_each_other():
 
 def test_a_front_is_not_moved_behind_the_next_face_of_a_bent_wall():
     back, front = face(3.0, EAST), face(3.0, -EAST)
-    # The wall goes on, bent by 6 degrees, and shares the last ridge points of the front.
+    # The wall continues, bent by 6 degrees, and shares the last ridge points of the front.
     bend = np.array([np.cos(0.1), np.sin(0.1)])
     curve = Line(np.array([4.9, 3.0]), bend)
     ridge = curve.at(np.arange(0, 1.01, 0.05))

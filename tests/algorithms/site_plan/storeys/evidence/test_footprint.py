@@ -85,7 +85,7 @@ def test_single_points_in_a_wall_do_not_widen_the_gaps_that_are_closed():
 def test_a_gap_along_a_sheet_is_not_closed():
     parts = [flat(0, 0, 1.97, 2, 0.0), flat(2.03, 0, 4, 2, 0.0)]
     assert weight_at(footprint_of(*parts, spacing=0.08), 2.0, 1) > 0
-    # It goes on beyond the end of a sheet, where the wall may be hidden.
+    # It continues beyond the end of a sheet, where the wall may be hidden.
     for stop in (2.0, 0.7):
         parted = footprint_of(*parts, faces=[Face((2, 0), (2, stop), 0, 4)], spacing=0.08)
         assert not weight_at(parted, 2.0, 1) > 0

@@ -1,4 +1,4 @@
-"""Rooms are cut where the line of a wall goes on over or under open space."""
+"""Rooms are cut where the line of a wall continues over or under open space."""
 
 import pytest
 from ichnograph.algorithms.site_plan.storeys.rooms.openings import cut_at_openings

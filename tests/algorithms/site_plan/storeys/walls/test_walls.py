@@ -26,7 +26,7 @@ def test_where_one_face_was_seen_the_thickness_is_not_known():
 
 
 def test_the_thickness_is_weighted_by_how_far_faces_are_opposite():
-    # A body that is thicker over a quarter of its length; it is no junction, for nothing juts in.
+    # A body that is thicker over a quarter of its length; it is not a junction, because nothing juts in.
     tapered = Polygon([(0, 0), (8, 0), (8, 0.2), (6, 0.2), (5.5, 0.3), (4, 0.3), (3.5, 0.2), (0, 0.2)])
     faces = [SOUTH, Face((0, 0.2), (3.5, 0.2)), Face((4, 0.3), (5.5, 0.3)), Face((6, 0.2), (8, 0.2))]
     (wall,) = described(faces, tapered)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.development.sides import find_sides
+from ichnograph.algorithms.facade.development.polygonal_walls import find_sides
 from ichnograph.algorithms.facade.elevation import Plane
 
 from .towers import BAY, ground, sides

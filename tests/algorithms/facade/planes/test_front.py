@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.planes.side import find_side
+from ichnograph.algorithms.facade.planes.front import find_side
 from ichnograph.tests.algorithms.facade.samples import at, lattice, without
 
 WINDOWS = ((1.0, 1.0, 2.0, 2.5), (3.0, 1.0, 4.0, 2.5))
