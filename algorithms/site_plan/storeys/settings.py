@@ -235,6 +235,7 @@ class JoiningSettings:
     margin_m: float = physical(0.5, "Half a thick wall: the density image would draw its other half again.")
     shortest_rest_m: float = judged(0.5, "Shorter ends are what the margin left of walls of the storey.")
     column_m2: float = judged(1.0, "Larger things that stand free are furniture, or walls of the storey.")
+    column_slenderness: float = judged(3.0, "What is longer for its width is the front of a cupboard.")
     column_coverage: float = judged(0.4, "Two of the four sides of a column are seen from one station.")
     column_levels: float = judged(12.0, "Furniture and railings fill fewer levels.")
     column_face_m: float = physical(0.05, "The outline of pixels lies so near to the faces of a column.")
