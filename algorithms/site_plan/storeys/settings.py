@@ -157,6 +157,7 @@ class RoomSettings:
     lintel_levels: float = judged(1.5, "A lintel is at least so many levels high.")
     parapet_levels: float = judged(5.0, "A parapet is at least so many levels high.")
     open_share: float = judged(0.5, "An opening with surface on more of its levels at eye height is shut.")
+    screen_reach_m: float = judged(0.2, "A screen is measured to 12 cm before a wall that it meets.")
     widest_leaf_m: float = physical(2.0, "Doors of two leaves are narrower.")
     surely_wide: float = judged(10.0, "A space so many times the smallest room is not measured further.")
     neck_m: float = judged(1.2, "Doors without a lintel are narrower.")
