@@ -174,12 +174,19 @@ def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSetting
     return [
         wall
         for wall in walls
-        if wall.outline.minimum_rotated_rectangle.area <= settings.column_m2
+        if _is_compact(wall.outline, settings)
         and wall.outline.exterior.intersection(beside).length
         >= settings.column_coverage * wall.outline.exterior.length
         and rooms.contains(wall.outline)
         and not taken.intersects(wall.outline)
     ]
+
+
+def _is_compact(outline: Polygon, settings: JoiningSettings) -> bool:
+    """Return whether an outline is as small as a column, and no strip along a front of furniture."""
+    corners = np.asarray(outline.minimum_rotated_rectangle.exterior.coords)
+    width, length = sorted(np.hypot(*np.diff(corners[:3], axis=0).T))
+    return bool(width * length <= settings.column_m2 and length <= settings.column_slenderness * width)
 
 
 def _measured(

@@ -124,9 +124,10 @@ def make_storey_plan(
     along = _along(uprights, voxels.spacing_m, settings)
     division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
-    rooms, parapets = find_rooms(division, footprint, storey, along, settings.rooms, settings.levels)
+    thin = _screens(division, sheets, along, settings)
+    rooms, parapets = find_rooms(division, thin, footprint, storey, along, settings.rooms, settings.levels)
     progress.update(0.9)
-    walls = _walls(division, sheets, parapets, footprint, along, storey, settings)
+    walls = _walls(division, sheets, thin, parapets, footprint, along, storey, settings)
     progress.update(0.95)
     return StoreyPlan(
         walls=tuple(walls),
@@ -160,9 +161,18 @@ def _along(uprights: Uprights, spacing: float, settings: StoreySettings) -> Upri
     return UprightsAlong(uprights, cut.beside_m, step, reach, settings.sheets.turn_deg)
 
 
+def _screens(
+    division: Division, sheets: list[Sheet], along: UprightsAlong, settings: StoreySettings
+) -> np.ndarray:
+    """Return the thin walls that stand free in rooms."""
+    faces, _ = division.faces(settings.cut)
+    return screens(sheets, division.rooms(), faces, along, settings.free_faces, settings.levels)
+
+
 def _walls(
     division: Division,
     sheets: list[Sheet],
+    thin: np.ndarray,
     parapets: list[Polygon],
     footprint: Footprint,
     along: UprightsAlong,
@@ -173,7 +183,6 @@ def _walls(
     faces, _ = division.faces(settings.cut)
     rooms, solid = division.rooms(), division.solid()
     free = free_faces(sheets, rooms, faces, along, footprint, settings.free_faces, settings.levels)
-    thin = screens(sheets, rooms, faces, along, settings.free_faces, settings.levels)
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
     if len(thin):

@@ -85,7 +85,7 @@ def find_sheets(
         start, stop = along.min(), along.max()
         if stop - start < settings.shortest_m:
             continue
-        growth.strike(line)
+        growth.strike(line, start, stop)
         levels = _filled(along - start, stop - start, uprights.levels[member], step)
         if levels >= settings.fewest_levels:
             scatter = np.sqrt(
@@ -137,12 +137,16 @@ class _Growth:
             line = self._fitted(member, line)
         return member, line + self.corner
 
-    def strike(self, line: np.ndarray) -> None:
-        """Take the pixels of a sheet, and what lies close to them, out of those that are free."""
+    def strike(self, line: np.ndarray, start: float, stop: float) -> None:
+        """Take the pixels of a sheet, and what lies close to them, out of those that are free.
+
+        In the wider band, a walk may pass gaps at which the sheet ends: beyond, another sheet begins.
+        """
         line = line - self.corner
         band, least = self.settings.struck_bands * self.band, self.settings.struck_turn * self.least
         member = self._walk(line, self.gap, np.inf, band, least)
-        self.free[member] = False
+        along = (self.xy[member] - line[:2]) @ line[2:]
+        self.free[member[(along >= start - band) & (along <= stop + band)]] = False
 
     def _begun(self, seed: int) -> np.ndarray:
         """Return the line through a pixel that the most levels lie on; a normal near a corner is askew."""

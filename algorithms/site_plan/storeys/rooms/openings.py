@@ -1,4 +1,7 @@
-"""Openings: doors, windows and passages, where the line of a wall continues above or below open space."""
+"""Openings: doors, windows and passages, where the line of a wall continues above or below open space.
+
+Screens, thin walls that stand free, part rooms as well.
+"""
 
 from dataclasses import dataclass
 
@@ -6,6 +9,7 @@ import numpy as np
 from shapely.geometry.base import BaseGeometry
 
 from ....geometry.linked_parts import label_linked
+from ..division.arrangement import ON_LINE
 from ..division.division import Division
 from ..evidence.uprights_along import UprightsAlong
 from ..settings import LevelSettings, RoomSettings
@@ -46,21 +50,50 @@ class _Openings:
 
 def cut_at_openings(
     division: Division,
+    screens: np.ndarray,
     uprights: UprightsAlong,
     settings: RoomSettings = RoomSettings(),
     levels: LevelSettings = LevelSettings(),
 ) -> Parts:
-    """Cut what is room along the lines of sheets under lintels and over sills."""
+    """Cut what is room along screens, and along the lines of sheets under lintels and over sills.
+
+    Parameters
+    ----------
+    division : Division
+    screens : ndarray of float64, shape (n, 4)
+        x, y of both ends of thin walls in rooms.
+    uprights : UprightsAlong
+    settings, levels : RoomSettings, LevelSettings
+    """
     sides, room = division.arrangement.sides, division.is_room
-    inside = room[sides].all(axis=1)
-    found = _openings(
-        division, np.flatnonzero(inside & (division.tracks.sheet >= 0)), uprights, settings, levels
-    )
+    on_screen = _are_on(division.arrangement.ends, screens, settings.screen_reach_m)
+    wall = division.are_borders() | on_screen
+    inside = room[sides].all(axis=1) & ~on_screen
+    candidate = np.flatnonzero(inside & (division.tracks.sheet >= 0))
+    found = _openings(division, candidate, wall, uprights, settings, levels)
     linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
     part = _linked(sides[linked], len(room))
     numbers = np.unique(part[room])
     outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
     return Parts(outlines, np.isin(numbers, part[sides[found.over_sill]]).tolist())
+
+
+def _are_on(ends: np.ndarray, screens: np.ndarray, reach: float) -> np.ndarray:
+    """Return which borders lie on a screen, or within a reach of its ends on its line."""
+    on_screen = np.zeros(len(ends), bool)
+    for screen in screens:
+        length = np.hypot(*(screen[2:] - screen[:2]))
+        along, across = _along_and_across(ends.reshape(-1, 2), screen)
+        middle = along.reshape(-1, 2).mean(axis=1)
+        on_line = (np.abs(across.reshape(-1, 2)) < ON_LINE).all(axis=1)
+        on_screen |= on_line & (middle > -reach) & (middle < length + reach)
+    return on_screen
+
+
+def _along_and_across(xy: np.ndarray, line: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far positions lie along and across a line from its start, metres."""
+    away, direction = xy - line[:2], (line[2:] - line[:2]) / np.hypot(*(line[2:] - line[:2]))
+    return away @ direction, away @ np.array([-direction[1], direction[0]])
 
 
 def _linked(sides: np.ndarray, count: int) -> np.ndarray:
@@ -71,18 +104,19 @@ def _linked(sides: np.ndarray, count: int) -> np.ndarray:
 def _openings(
     division: Division,
     candidate: np.ndarray,
+    wall: np.ndarray,
     uprights: UprightsAlong,
     settings: RoomSettings,
     levels: LevelSettings,
 ) -> _Openings:
-    """Find the openings among borders, given by number, that lie on lines of sheets."""
+    """Find the openings among borders, given by number, on lines of sheets from wall to wall."""
     borders = division.arrangement.ends
     found = _Openings(np.zeros(len(borders), bool), np.zeros(len(borders), bool), [])
     ends, length = borders[candidate], division.arrangement.lengths[candidate]
     head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
     masks = (-1 << head, (1 << high) - (1 << low), (1 << low) - 2)
     surface = np.array([uprights.mean_levels(ends, mask) for mask in masks])
-    rim = _nodes(borders[division.are_borders()])
+    rim = _nodes(borders[wall])
     for run in _runs(ends, rim):
         if not all(tip in rim for tip in _tips(ends[run])):
             continue

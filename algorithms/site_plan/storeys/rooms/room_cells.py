@@ -42,6 +42,7 @@ class Room:
 
 def find_rooms(
     division: Division,
+    screens: np.ndarray,
     footprint: Footprint,
     storey: Storey,
     uprights: UprightsAlong,
@@ -50,13 +51,23 @@ def find_rooms(
 ) -> tuple[list[Room], list[Polygon]]:
     """Find the rooms, and the parapets in the niches of windows.
 
+    Parameters
+    ----------
+    division : Division
+    screens : ndarray of float64, shape (n, 4)
+        x, y of both ends of thin walls that stand free in rooms.
+    footprint : Footprint
+    storey : Storey
+    uprights : UprightsAlong
+    settings, levels : RoomSettings, LevelSettings
+
     Returns
     -------
     rooms : list of Room
         The largest first.
     parapets : list of Polygon
     """
-    parts = cut_at_openings(division, uprights, settings, levels)
+    parts = cut_at_openings(division, screens, uprights, settings, levels)
     rooms: list[Polygon] = []
     parapets: list[Polygon] = []
     for part, over_sill in zip(parts.outlines, parts.over_sill):

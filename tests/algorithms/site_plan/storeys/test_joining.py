@@ -154,6 +154,12 @@ def test_a_column_seen_from_two_sides_is_kept_in_a_room_if_it_is_higher_than_fur
     assert len(joined([column], storey)) == kept
 
 
+def test_a_strip_along_the_front_of_a_high_cupboard_is_no_column():
+    sheet = Sheet(np.array([1.0, 1.0]), np.array([2.5, 1.0]), 20.0, 0.002)
+    storey = replace(under_roof(storey_of(), JOINING), sheets=(sheet,))
+    assert joined([site_wall(1, box(1, 0.99, 2.5, 1.01))], storey) == ()
+
+
 def test_pixels_without_a_sheet_are_no_column():
     column, _ = column_of(1.0, 1.0, 24.0)
     assert joined([column], under_roof(storey_of(), JOINING)) == ()

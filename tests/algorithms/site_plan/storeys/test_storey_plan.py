@@ -64,6 +64,17 @@ def test_a_door_up_to_the_ceiling_is_a_narrow_place():
     assert len(plan.rooms) == 2
 
 
+def test_a_thin_wall_seen_from_one_side_parts_two_rooms():
+    # The floor and the ceiling of the other room were seen through the door.
+    west = room(0, 0, 3, 3)
+    east = [flat(3, 0, 7, 3, z) for z in (0.0, 2.6)]
+    around = [upright((7, 0), (7, 3)), upright((3, 0), (7, 0)), upright((3, 3), (7, 3))]
+    seen = without(np.concatenate([west, *east, *around]), (2.9, 0.5, 0.0), (3.1, 1.4, 2.1))
+    plan = plan_of(scanned(seen))
+    assert sorted(found.outline.area for found in plan.rooms) == pytest.approx([9, 12], abs=0.1)
+    assert walls_of(plan).distance(Point(3, 2.2)) < 0.03
+
+
 def test_a_partition_has_the_distance_of_its_faces_as_thickness():
     plan = plan_of(scanned(*two_rooms()))
     between = [wall for wall in plan.walls if wall.outline.contains(Point(4.06, 2.2))]

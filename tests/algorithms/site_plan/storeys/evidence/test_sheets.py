@@ -40,3 +40,10 @@ def test_what_is_low_is_no_sheet():
 def test_a_corner_gives_two_sheets_square_to_each_other():
     first, second = sheets_of(upright((0, 0), (3, 0)), upright((3, 0), (3, 2)))
     assert abs(first.direction @ second.direction) < 0.005
+
+
+def test_a_wall_beyond_a_gap_is_a_sheet_though_things_close_to_its_line_fill_the_gap():
+    # Only the wider band in which pixels are taken reaches the casing.
+    casing = upright((3.05, 0.021), (3.35, 0.021), 0.0, 0.2)
+    found = sheets_of(upright((0, 0), (3, 0)), casing, upright((3.4, 0), (4.6, 0), 0.0, 2.0), noise=0.0005)
+    assert sorted(round(one.length, 1) for one in found if one.levels > 5) == [1.2, 3.0]

@@ -1,9 +1,13 @@
 """Rooms are cut where the line of a wall continues over or under open space."""
 
+import numpy as np
 import pytest
 from ichnograph.algorithms.site_plan.storeys.rooms.openings import cut_at_openings
 from ichnograph.tests.algorithms.site_plan.storeys.drawn import Face, along, divided, footprint_of, sides
 from shapely.geometry import box
+
+NONE = np.empty((0, 4))
+"""No screens."""
 
 
 def two_rooms(wide=0.9, lintel=21, leaf=0, back=True):
@@ -23,7 +27,7 @@ def two_rooms(wide=0.9, lintel=21, leaf=0, back=True):
 
 
 def parts_of(faces, footprint):
-    found = cut_at_openings(divided(faces, footprint), along(*faces))
+    found = cut_at_openings(divided(faces, footprint), NONE, along(*faces))
     return sorted(found.outlines, key=lambda part: -part.area), found
 
 
@@ -91,6 +95,17 @@ def test_a_cupboard_before_a_wall_cuts_nothing_off():
     ]
     parts, _ = parts_of([*sides(0, 0, 4, 3), *front], footprint_of((0, 0, 4, 3)))
     assert [part.area for part in parts] == pytest.approx([12])
+
+
+@pytest.mark.parametrize("wide, count", [(1.0, 2), (3.4, 1)], ids=["a door", "an open end"])
+def test_a_screen_parts_a_room_if_the_rest_of_its_line_is_a_door(wide, count):
+    screen, lintel = Face((2, wide), (2, 5)), Face((2, 0), (2, wide), 21)
+    faces = [*sides(0, 0, 4, 5), screen, lintel]
+    division = divided(faces, footprint_of((0, 0, 4, 5)))
+    # It is measured to a hand before the wall.
+    found = cut_at_openings(division, np.array([[2, wide, 2, 4.86]]), along(*faces))
+    assert len(found.outlines) == count
+    assert sum(part.area for part in found.outlines) == pytest.approx(20)
 
 
 def test_where_no_room_is_there_are_no_parts():

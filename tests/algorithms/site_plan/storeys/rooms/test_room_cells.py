@@ -13,12 +13,16 @@ from ichnograph.tests.algorithms.site_plan.storeys.drawn import (
     sides,
     with_floor,
 )
-from ichnograph.tests.algorithms.site_plan.storeys.rooms.test_openings import room_with_window, two_rooms
+from ichnograph.tests.algorithms.site_plan.storeys.rooms.test_openings import (
+    NONE,
+    room_with_window,
+    two_rooms,
+)
 from shapely.geometry import box
 
 
 def found_in(faces, footprint):
-    return find_rooms(divided(faces, footprint), footprint, STOREY, along(*faces))
+    return find_rooms(divided(faces, footprint), NONE, footprint, STOREY, along(*faces))
 
 
 def test_a_room_knows_its_outline_its_floor_and_its_ceiling():
