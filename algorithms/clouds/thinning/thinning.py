@@ -52,7 +52,7 @@ def thin_cloud(
     InputError
         If the coordinates are not those of a site.
     """
-    with TileStore(tile_edge(spacing, settings), tiles) as store:
+    with TileStore(tile_edge(spacing, settings), tiles, is_numbered=True) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
         thinned = thin_tiles(store, list(store.counts()), spacing, progress.part(0.5, 1.0), settings)
         kept = np.sort(np.concatenate([tile.index[rows] for tile, rows in thinned]))
