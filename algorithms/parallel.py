@@ -31,6 +31,13 @@ def ahead(items: Iterable[Item]) -> Iterator[Item]:
             yield item
 
 
+def in_parts(work: Callable[[slice], None], count: int, part: int) -> None:
+    """Call `work` for slices of so many rows, on all cores."""
+    slices = (slice(start, start + part) for start in range(0, count, part))
+    for _ in in_order(work, slices):
+        pass
+
+
 def in_order(function: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
     """Yield `function(item)` for items in order, computed on all cores.
 

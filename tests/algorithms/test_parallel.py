@@ -3,14 +3,25 @@
 import threading
 import time
 
+import numpy as np
 import pytest
-from ichnograph.algorithms.parallel import ahead, in_order
+from ichnograph.algorithms.parallel import ahead, in_order, in_parts
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 50])
 def test_items_come_in_order(count):
     assert list(ahead(range(count))) == list(range(count))
     assert list(in_order(lambda item: item**2, range(count))) == [item**2 for item in range(count)]
+
+
+def test_parts_are_all_rows_once():
+    rows = np.zeros(1003, int)
+
+    def add(part):
+        rows[part] += 1
+
+    in_parts(add, len(rows), 10)
+    assert rows.tolist() == [1] * 1003
 
 
 def test_the_next_item_is_made_while_the_caller_works_on_the_last():

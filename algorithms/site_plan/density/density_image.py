@@ -16,7 +16,7 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.lattice import LATTICE, limits_of, to_lattice
 from ...clouds.tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from ...errors import InputError
 from ...parallel import in_order
@@ -25,7 +25,7 @@ from ..walls.height_gate import Heights
 from .bands import Bands, occupied_bins
 from .ceiling import hanging_height
 from .grid import Grid, make_grid, site_tiles
-from .ground import LowestSurface, at_pixels, ground_surface, limits_of
+from .ground import LowestSurface, at_pixels, ground_surface
 from .height_range import HeightRange, cut
 from .settings import DensitySettings, HeightWindowSettings
 from .spread import spread_of
@@ -174,8 +174,8 @@ def sort_and_image(
             keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, bands.ground)
             bands.ground += max(heights.low, 0.0)
         kept = 0
-        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0)):
-            bands.add(tile, rows, neighbourhood)
+        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0), beside=bands.stack):
+            bands.spread(tile, rows, neighbourhood)
             kept += len(rows)
         warnings = (
             *cloud.warnings,

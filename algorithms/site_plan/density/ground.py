@@ -52,17 +52,6 @@ class LowestSurface:
 
 
 @kernel
-def limits_of(xyz: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the smallest and the largest x, y, z of points, shape (n, 3)."""
-    low, high = xyz[0].astype(np.int64), xyz[0].astype(np.int64)
-    for i in range(len(xyz)):
-        for axis in range(3):
-            low[axis] = min(low[axis], xyz[i, axis])
-            high[axis] = max(high[axis], xyz[i, axis])
-    return low, high
-
-
-@kernel
 def _layers(xyz: np.ndarray, step: int, side: int, layer: int) -> tuple[np.ndarray, np.ndarray]:
     """Count the points of each cell by layer, and sum their heights."""
     low, high = xyz[:, 2].min(), xyz[:, 2].max()

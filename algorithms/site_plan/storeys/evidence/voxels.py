@@ -1,17 +1,14 @@
 """Voxels of a cloud: one mean point each, with the normal of the surface around it."""
 
-import os
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from ....geometry.linked_parts import label_linked
 from ....kernels import kernel
-from ....parallel import in_order
+from ....parallel import in_order, in_parts
 from ..settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -219,16 +216,10 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
     def fit(part: slice) -> None:
         _fit_planes(*arrays, normal[part], thickness[part], part.start, radius, fewest)
 
-    _in_parts(fit, len(xyz))
+    in_parts(fit, len(xyz), PART)
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
-
-
-def _in_parts(work: Callable[[slice], None], count: int) -> None:
-    """Call a kernel for parts of so many rows, on all cores."""
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        list(pool.map(work, (slice(start, start + PART) for start in range(0, count, PART))))
 
 
 def _agreeing_normals(
@@ -247,7 +238,7 @@ def _agreeing_normals(
     def fit(part: slice) -> None:
         _fit_agreeing(xyz, rows[part], near[part], band, normal[part], count[part])
 
-    _in_parts(fit, len(rows))
+    in_parts(fit, len(rows), PART)
     return normal, count, (near >= 0).sum(axis=1)
 
 
