@@ -131,13 +131,16 @@ class UprightSettings:
 
 @dataclass(frozen=True)
 class TileSettings:
-    """Which points are stray."""
+    """Which points are stray, and how many are kept in memory."""
 
     max_height_m: float = physical(
         20_000.0, "No site is so high or deep: such points are stray, or the coordinates geocentric."
     )
     max_distance_m: float = physical(
         1e9, "Farther than any point of one site; the integers of the lattice end not much later."
+    )
+    memory_bytes: int = judged(
+        2**28, "At 12 bytes a point 22 million, more than most scans of a building; the rest is on disk."
     )
     max_stray_share: float = judged(
         0.01, "Strays are fewer; with more, the coordinates of the whole cloud are of another kind."

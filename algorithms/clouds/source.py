@@ -85,6 +85,16 @@ class Source(ABC):
             If the caller asked to stop.
         """
 
+    def positions(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[np.ndarray]:
+        """Yield the positions of all points, as `chunks` does; formats that can skip the rest do."""
+        for chunk in self.chunks(origin, progress, size):
+            yield chunk.xyz
+
+    @property
+    def expected_points(self) -> int:
+        """How many points the file announces; 0 if it does not."""
+        return 0
+
 
 def unreadable(path: Path, error: OSError) -> InputError:
     """Return the error for a file that the operating system refuses to read."""

@@ -620,6 +620,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/tiles/tile_store.py"/>
+        <source>The temporary folder %1 has %2 GB free, but %3 points take up to %4 GB; free some space, or set TMPDIR to a folder on a larger disk.</source>
+        <translation>Im temporären Ordner %1 sind %2 GB frei, aber %3 Punkte brauchen bis zu %4 GB; Platz schaffen oder TMPDIR auf einen Ordner eines größeren Laufwerks setzen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/tiles/tile_store.py"/>
         <source>it ends early</source>
         <translation>sie endet vorzeitig</translation>
     </message>

@@ -620,6 +620,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/tiles/tile_store.py"/>
+        <source>The temporary folder %1 has %2 GB free, but %3 points take up to %4 GB; free some space, or set TMPDIR to a folder on a larger disk.</source>
+        <translation>Le dossier temporaire %1 a %2 Go libres, mais %3 points en prennent jusqu&#x27;à %4 ; libérez de la place, ou donnez à TMPDIR un dossier d&#x27;un disque plus grand.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/tiles/tile_store.py"/>
         <source>it ends early</source>
         <translation>il se termine trop tôt</translation>
     </message>

@@ -98,6 +98,11 @@ class E57Source(Source):
                 kinds[name] = np.promote_types(kinds.get(name, kind), kind)
         return tuple(kinds.items())
 
+    @property
+    def expected_points(self) -> int:
+        """See `Source.expected_points`."""
+        return sum(scan.count for scan in self.scans)
+
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")

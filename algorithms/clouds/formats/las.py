@@ -11,6 +11,8 @@ import numpy as np
 from rasterio.crs import CRS
 
 from ...errors import InputError
+from ...kernels import kernel
+from ...parallel import ahead
 from ...progress import Progress
 from ...reference_systems import parse_wkt
 from ..settings import PrecisionSettings, ReadingSettings
@@ -23,7 +25,9 @@ from .normals import unnamed_normals
 from .stated_crs import read_crs
 from .value_ranges import scaled_colour
 
-QUALITY = Selection.CLASSIFICATION | Selection.FLAGS
+POSITIONS = Selection.base() | Selection.Z | Selection.CLASSIFICATION | Selection.FLAGS
+"""What is decoded for the positions of the points that count."""
+
 LOW_NOISE, HIGH_NOISE = 7, 18
 """Classes of the LAS specification; the second one of the newer point formats only."""
 
@@ -95,16 +99,24 @@ class LasSource(Source):
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
-        wanted = (
-            Selection.base() | Selection.INTENSITY | Selection.RGB | Selection.Z | Selection.POINT_SOURCE_ID
-        )
-        for points in self.records(progress, size, wanted | QUALITY):
+        wanted = POSITIONS | Selection.INTENSITY | Selection.RGB | Selection.POINT_SOURCE_ID
+        for points in self.records(progress, size, wanted):
             yield Chunk(
                 coordinates(points, self.scales, self.offsets - origin),
                 points["intensity"].copy() if self.has_intensity else None,
                 self._scaled_colour(points) if self.has_rgb else None,
                 scan=points["point_source_id"].copy(),
             )
+
+    def positions(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[np.ndarray]:
+        """Yield the positions of all points in file order; see `Source.positions`."""
+        for points in self.records(progress, size, POSITIONS):
+            yield coordinates(points, self.scales, self.offsets - origin)
+
+    @property
+    def expected_points(self) -> int:
+        """See `Source.expected_points`."""
+        return self.point_count
 
     def records(
         self,
@@ -133,22 +145,25 @@ class LasSource(Source):
             If the file ends early or cannot be decompressed.
         """
         progress.update(0.0, f"Reading {self.path.name}")
-        size = min(size, LARGEST_BLOCK // self.point_format.size)
-        left_out = 0
-        with open_reader(self.path, selection) as reader:
-            for start in range(0, self.point_count, size):
-                points = read_records(self.path, reader, min(size, self.point_count - start))
-                read = start + len(points)
-                if not with_unusable:
-                    usable = is_usable(points)
-                    left_out += len(points) - int(usable.sum())
-                    points = points if usable.all() else points[usable]
-                yield points
-                progress.update(read / self.point_count)
+        read = left_out = 0
+        for points in ahead(self._decoded(size, selection)):
+            read += len(points)
+            if not with_unusable:
+                usable = is_usable(points)
+                left_out += len(points) - int(usable.sum())
+                points = points if usable.all() else points[usable]
+            yield points
+            progress.update(read / self.point_count)
         if left_out:
             progress.update(
                 1.0, f"{self.path.name}: {left_out} withheld points and points of noise were left out."
             )
+
+    def _decoded(self, size: int, selection: laspy.DecompressionSelection) -> Iterator[np.ndarray]:
+        size = min(size, LARGEST_BLOCK // self.point_format.size)
+        with open_reader(self.path, selection) as reader:
+            for start in range(0, self.point_count, size):
+                yield read_records(self.path, reader, min(size, self.point_count - start))
 
     def _scaled_colour(self, points: np.ndarray) -> np.ndarray:
         rgb = _colour(points)
@@ -226,11 +241,18 @@ def _sample(path: Path, reader: laspy.LasReader, settings: ReadingSettings) -> n
 
 def coordinates(points: np.ndarray, scales: np.ndarray, offsets: np.ndarray) -> np.ndarray:
     """Return the coordinates of raw records, shape (n, 3)."""
-    xyz = np.empty((len(points), 3))
-    for axis, name in enumerate("XYZ"):
-        xyz[:, axis] = points[name]
-    xyz *= scales
-    xyz += offsets
+    return _coordinates(points["X"], points["Y"], points["Z"], scales, offsets)
+
+
+@kernel
+def _coordinates(
+    x: np.ndarray, y: np.ndarray, z: np.ndarray, scales: np.ndarray, offsets: np.ndarray
+) -> np.ndarray:
+    xyz = np.empty((len(x), 3))
+    for i in range(len(x)):
+        xyz[i, 0] = x[i] * scales[0] + offsets[0]
+        xyz[i, 1] = y[i] * scales[1] + offsets[1]
+        xyz[i, 2] = z[i] * scales[2] + offsets[2]
     return xyz
 
 

@@ -150,6 +150,11 @@ class PlySource(Source):
         names = _others(self.layout, self.xyz, self.intensity, self.rgb)
         return tuple((name, self.layout.dtype[name].newbyteorder("=")) for name in names)
 
+    @property
+    def expected_points(self) -> int:
+        """See `Source.expected_points`."""
+        return self.layout.count
+
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
         progress.update(0.0, f"Reading {self.path.name}")

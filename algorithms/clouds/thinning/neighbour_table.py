@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...kernels import kernel
+from ..tiles.lattice import limits_of
 
 ROW, LEVEL = 1 << 16, 1 << 32
 """Steps of a cell's packed number from row to row and level to level of a tile."""
@@ -21,13 +22,14 @@ def choose(xyz: np.ndarray, seeds: np.ndarray, corner: tuple[int, int], reach: i
     reach : int
         Minimum distance.
     """
-    inside = (seeds[:, :2] > -reach) & (seeds[:, :2] < xyz[:, :2].max(axis=0) + reach)
+    lowest, highest = limits_of(xyz)
+    inside = (seeds[:, :2] > -reach) & (seeds[:, :2] < highest[:2] + reach)
     seeds = seeds[inside.all(axis=1)]
-    order = np.argsort(_hashes(xyz, corner[0], corner[1]), kind="stable")
+    order = _by_hash(_hashes(xyz, corner[0], corner[1]))
     # One cell of margin, so that no neighbour's number is negative.
-    low = np.minimum(xyz.min(axis=0), seeds.min(axis=0, initial=np.iinfo(np.int32).max)) - reach
+    low = np.minimum(lowest, seeds.min(axis=0, initial=np.iinfo(np.int32).max)) - reach
     size = 1 << max(int(np.ceil(np.log2(2 * (len(xyz) + len(seeds))))), 4)
-    return order[_choose(xyz[order], seeds, low.astype(np.int64), np.int64(reach), size)]
+    return _choose(xyz, order, seeds, low, np.int64(reach), size)
 
 
 @kernel
@@ -43,6 +45,34 @@ def _hashes(xyz: np.ndarray, corner_x: int, corner_y: int) -> np.ndarray:
             value = value ^ (value >> np.uint64(31))
         out[i] = value
     return out
+
+
+@kernel
+def _by_hash(hashes: np.ndarray) -> np.ndarray:
+    """Return the rows in the order of their hashes, equal ones in their own order.
+
+    Hashes are spread evenly, so that their first bits bring each nearly to where it belongs.
+    """
+    bits = 1
+    while 1 << bits < len(hashes):
+        bits += 1
+    shift = np.uint64(64 - bits)
+    starts = np.zeros((1 << bits) + 1, np.int64)
+    for value in hashes:
+        starts[(value >> shift) + np.uint64(1)] += 1
+    starts = starts.cumsum()
+    order = np.empty(len(hashes), np.int64)
+    for i in range(len(hashes)):
+        bucket = hashes[i] >> shift
+        order[starts[bucket]] = i
+        starts[bucket] += 1
+    for i in range(1, len(order)):
+        row, j = order[i], i - 1
+        while j >= 0 and hashes[order[j]] > hashes[row]:
+            order[j + 1] = order[j]
+            j -= 1
+        order[j + 1] = row
+    return order
 
 
 @kernel
@@ -88,7 +118,9 @@ def _cell(x: int, y: int, z: int, reach: int) -> int:
 
 
 @kernel
-def _choose(xyz: np.ndarray, seeds: np.ndarray, low: np.ndarray, reach: int, size: int) -> np.ndarray:
+def _choose(
+    xyz: np.ndarray, order: np.ndarray, seeds: np.ndarray, low: np.ndarray, reach: int, size: int
+) -> np.ndarray:
     """Return the rows of `xyz` chosen in order; `seeds` are chosen already. All in lattice steps."""
     mask = np.uint64(size - 1)
     table = np.full(size, -1, np.int32)
@@ -101,10 +133,11 @@ def _choose(xyz: np.ndarray, seeds: np.ndarray, low: np.ndarray, reach: int, siz
         if i < 0:
             x, y, z = seeds[i, 0] - low[0], seeds[i, 1] - low[1], seeds[i, 2] - low[2]
         else:
-            x, y, z = xyz[i, 0] - low[0], xyz[i, 1] - low[1], xyz[i, 2] - low[2]
+            row = order[i]
+            x, y, z = xyz[row, 0] - low[0], xyz[row, 1] - low[1], xyz[row, 2] - low[2]
             if not _is_free(x, y, z, reach, table, cells, mask, chosen, following):
                 continue
-            kept[count - len(seeds)] = i
+            kept[count - len(seeds)] = row
         cell = _cell(x, y, z, reach)
         slot = _slot(cell, table, cells, mask)
         cells[slot] = cell

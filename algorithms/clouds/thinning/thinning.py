@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Callable
 
 import numpy as np
 
@@ -16,8 +17,8 @@ from ..tiles.lattice import to_lattice
 from ..tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from .neighbour_table import choose
 
-Waiting = deque[tuple[Key, Tile, "Future[np.ndarray]"]]
-"""Tiles that are being thinned, and the rows of their chosen points."""
+Waiting = deque[tuple[Key, Tile, "Future[tuple[np.ndarray, np.ndarray]]"]]
+"""Tiles that are being thinned, the rows of their chosen points, and those of them near other tiles."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def thin_cloud(
     InputError
         If the coordinates are not those of a site.
     """
-    with TileStore(tile_edge(spacing, settings), tiles) as store:
+    with TileStore(tile_edge(spacing, settings), tiles, is_numbered=True) as store:
         fill(store, cloud, progress.part(0.0, 0.5))
         thinned = thin_tiles(store, list(store.counts()), spacing, progress.part(0.5, 1.0), settings)
         kept = np.sort(np.concatenate([tile.index[rows] for tile, rows in thinned]))
@@ -71,6 +72,7 @@ def thin_tiles(
     spacing: float,
     progress: Progress,
     settings: ThinningSettings = ThinningSettings(),
+    beside: Callable[[Tile], None] = lambda tile: None,
 ) -> Iterator[tuple[Tile, np.ndarray]]:
     """Choose points so that no two are closer than `spacing` and every other point is closer to one.
 
@@ -89,6 +91,8 @@ def thin_tiles(
         Minimum distance in metres.
     progress : Progress
     settings : ThinningSettings
+    beside : callable
+        Called for each tile on all cores, at once for tiles that do not touch.
 
     Yields
     ------
@@ -103,15 +107,20 @@ def thin_tiles(
     workers = os.cpu_count() or 1
     enough = settings.waiting_tiles * workers
     keys = sorted(keys, key=_order)
+
+    def thin(tile: Tile, seeds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        beside(tile)
+        kept = choose(tile.xyz, seeds, tile.corner, reach)
+        return kept, _rim(tile, kept, reach)
+
     with ThreadPoolExecutor(workers) as pool:
         for key, tile in store.tiles(keys, progress, "Thinning"):
             # A tile needs the rims of its neighbours, which are thinned before.
             while waiting and (len(waiting) > enough or _order(waiting[0][0])[:2] != _order(key)[:2]):
-                yield _finished(waiting, rims, store.edge, reach)
-            seeds = _seeds(key, rims, store.edge)
-            waiting.append((key, tile, pool.submit(choose, tile.xyz, seeds, tile.corner, reach)))
+                yield _finished(waiting, rims)
+            waiting.append((key, tile, pool.submit(thin, tile, _seeds(key, rims, store.edge))))
         while waiting:
-            yield _finished(waiting, rims, store.edge, reach)
+            yield _finished(waiting, rims)
 
 
 def _order(key: Key) -> tuple[int, int, int, int]:
@@ -119,15 +128,17 @@ def _order(key: Key) -> tuple[int, int, int, int]:
     return row % 2, column % 2, row, column
 
 
-def _finished(
-    waiting: Waiting, rims: dict[Key, np.ndarray], edge: int, reach: int
-) -> tuple[Tile, np.ndarray]:
-    """Take the longest waiting tile, and note its chosen points that can be near another tile's."""
-    key, tile, work = waiting.popleft()
-    kept = work.result()
+def _rim(tile: Tile, kept: np.ndarray, reach: int) -> np.ndarray:
+    """Return the chosen points of a tile that can be near another tile's."""
     chosen = tile.xyz[kept].astype(np.int64)
-    rim = (chosen[:, :2] < reach) | (chosen[:, :2] >= edge - reach)
-    rims[key] = chosen[rim.any(axis=1)]
+    rim = (chosen[:, :2] < reach) | (chosen[:, :2] >= tile.edge - reach)
+    return chosen[rim.any(axis=1)]
+
+
+def _finished(waiting: Waiting, rims: dict[Key, np.ndarray]) -> tuple[Tile, np.ndarray]:
+    """Take the longest waiting tile, and note its rim."""
+    key, tile, work = waiting.popleft()
+    kept, rims[key] = work.result()
     return tile, kept
 
 

@@ -15,51 +15,31 @@ LATTICE = 1e-5
 FINE = 1e-7
 """Step of the integers that coordinates are rounded from, in metres; finer than files are written."""
 
+PER_METRE, FINE_STEPS = round(1 / FINE), round(LATTICE / FINE)
+"""Fine integers in a metre, and in a step of the lattice."""
+
 
 def to_lattice(metres: float) -> int:
     """Return a length in steps of the lattice."""
     return round(metres / LATTICE)
 
 
-def tiles_of(xyz: np.ndarray, origin: np.ndarray, edge: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the tile (column, row) of each point, and its lattice coordinates.
+@kernel
+def on_lattice(metres: float, origin: int) -> int:
+    """Return the step of the lattice that is nearest to a coordinate, metres about an origin of whole metres.
 
-    Parameters
-    ----------
-    xyz : ndarray of float64, shape (n, 3)
-        Metres, relative to `origin`.
-    origin : ndarray of int64, shape (3,)
-        Metres.
-    edge : int
-        Of a tile, in lattice steps.
-
-    Returns
-    -------
-    tile : ndarray of int64, shape (n, 2)
-    steps : ndarray of int32, shape (n, 3)
-        x, y from the lower left corner of the tile, z absolute.
+    It is rounded by way of finer integers: a tie must not depend on the origin.
     """
-    return _tiles_of(np.ascontiguousarray(xyz), origin, edge, round(1 / FINE), round(LATTICE / FINE))
+    fine = np.int64(np.rint(metres * PER_METRE)) + origin * PER_METRE
+    return (fine + FINE_STEPS // 2) // FINE_STEPS
 
 
 @kernel
-def _tiles_of(
-    xyz: np.ndarray, origin: np.ndarray, edge: int, per_metre: int, steps: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the tile of each point, and its lattice coordinates about the tile's corner."""
-    key = np.empty((len(xyz), 2), np.int64)
-    steps_from = np.empty((len(xyz), 3), np.int32)
+def limits_of(xyz: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the smallest and the largest x, y, z of points, shape (n, 3)."""
+    low, high = xyz[0].astype(np.int64), xyz[0].astype(np.int64)
     for i in range(len(xyz)):
-        for axis in range(2):
-            value = _rounded(xyz[i, axis], origin[axis], per_metre, steps)
-            key[i, axis] = value // edge
-            steps_from[i, axis] = value - key[i, axis] * edge
-        steps_from[i, 2] = _rounded(xyz[i, 2], origin[2], per_metre, steps)
-    return key, steps_from
-
-
-@kernel
-def _rounded(value: float, origin: int, per_metre: int, steps: int) -> int:
-    """Round to the lattice by way of finer integers: a tie must not depend on the origin."""
-    fine = np.int64(np.rint(value * per_metre)) + origin * per_metre
-    return (fine + steps // 2) // steps
+        for axis in range(3):
+            low[axis] = min(low[axis], xyz[i, axis])
+            high[axis] = max(high[axis], xyz[i, axis])
+    return low, high

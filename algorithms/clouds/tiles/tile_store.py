@@ -1,5 +1,6 @@
-"""Points of a site sorted into square tiles on disk, so that the whole cloud is never in memory."""
+"""Points of a site sorted into square tiles; what exceeds a budget of memory is on disk."""
 
+import shutil
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
@@ -14,12 +15,11 @@ from ...errors import InputError
 from ...progress import Progress
 from ..cloud import Cloud, names_of
 from ..settings import TileSettings
-from .lattice import tiles_of, to_lattice
+from .counting_sort import sort_by_tile
+from .lattice import to_lattice
 
 Key = tuple[int, int]
 """Column and row of a tile."""
-
-_RECORD = np.dtype([("xyz", "<i4", 3), ("index", "<i8")])
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Tile:
     xyz : ndarray of int32, shape (n, 3)
         x, y relative to the corner, z absolute; lattice steps.
     index : ndarray of int64, shape (n,)
-        Number of each point in the cloud, over all files in order.
+        Number of each point in the cloud, over all files in order; empty if the store does not number them.
     edge : int
         Edge of the tile, lattice steps.
     """
@@ -44,28 +44,43 @@ class Tile:
     edge: int
 
 
+@dataclass(frozen=True)
+class _Block:
+    """The records of one chunk, sorted by tile: in memory, or in the file from some byte on."""
+
+    first: int
+    records: Optional[np.ndarray]
+    start: int
+
+
 class TileStore:
-    """A temporary file that holds points by tile; a context manager.
+    """Points by tile, 12 bytes each, in memory and beyond a budget in a temporary file; a context manager.
 
     Parameters
     ----------
     edge : float
         Edge of a tile in metres.
     settings : TileSettings
+    is_numbered : bool
+        Whether tiles know the numbers of their points, which takes 4 bytes more.
     """
 
-    def __init__(self, edge: float, settings: TileSettings = TileSettings()) -> None:
+    def __init__(
+        self, edge: float, settings: TileSettings = TileSettings(), is_numbered: bool = False
+    ) -> None:
         self.edge = to_lattice(edge)
         self.settings = settings
+        self.width = 4 if is_numbered else 3
         self.point_count = 0
         self.stray_count = 0
-        self._parts: dict[Key, list[tuple[int, int]]] = defaultdict(list)
-        self._end = 0
+        self._blocks: list[_Block] = []
+        self._parts: dict[Key, list[tuple[int, int, int]]] = defaultdict(list)
+        self._in_memory = self._end = 0
         self._open_file: Optional[IO[bytes]] = None
+        self._is_open = False
 
     def __enter__(self) -> "TileStore":
-        with _full_disk_named():
-            self._open_file = tempfile.TemporaryFile(prefix="ichnograph-", buffering=0)
+        self._is_open = True
         return self
 
     def __exit__(
@@ -74,15 +89,39 @@ class TileStore:
         error: Optional[BaseException],
         traceback: Optional[TracebackType],
     ) -> None:
+        self._is_open = False
+        self._blocks.clear()
         # What is not written yet is not needed any more, even if the disk is full.
         with suppress(OSError):
-            self._file.close()
+            if self._open_file is not None:
+                self._open_file.close()
 
     @property
     def _file(self) -> IO[bytes]:
         if self._open_file is None:
-            raise ValueError("the store of tiles is not open")
+            with _full_disk_named():
+                # Closed in __exit__.
+                self._open_file = tempfile.TemporaryFile(prefix="ichnograph-", buffering=0)  # noqa: SIM115
         return self._open_file
+
+    def expect(self, count: int) -> None:
+        """Refuse points for which the temporary folder has no room.
+
+        Raises
+        ------
+        InputError
+            If what does not fit into the budget of memory does not fit into the folder either.
+        """
+        beyond = count * 4 * self.width - self.settings.memory_bytes
+        with _full_disk_named():
+            folder = tempfile.gettempdir()
+            free = shutil.disk_usage(folder).free
+        if beyond > free:
+            raise InputError(
+                f"The temporary folder {folder} has {free / 1e9:.1f} GB free, "
+                f"but {count:,} points take up to {beyond / 1e9:.1f} GB; "
+                "free some space, or set TMPDIR to a folder on a larger disk."
+            )
 
     def add(self, xyz: np.ndarray, origin: np.ndarray) -> None:
         """Sort points into their tiles.
@@ -94,55 +133,75 @@ class TileStore:
         origin : ndarray of float64, shape (3,)
             Whole metres.
         """
-        index = np.arange(self.point_count, self.point_count + len(xyz))
-        self.point_count += len(xyz)
-        near = np.abs(xyz[:, 2] + origin[2]) < self.settings.max_height_m
-        for axis in (0, 1):
-            near &= np.abs(xyz[:, axis]) < self.settings.max_distance_m
-        if not near.all():
-            self.stray_count += int((~near).sum())
-            xyz, index = xyz[near], index[near]
-        key, records = _by_tile(xyz, np.rint(origin).astype(np.int64), index, self.edge)
-        starts = np.flatnonzero(np.r_[True, (np.diff(key, axis=0) != 0).any(axis=1)][: len(key)])
-        for start, stop in zip(starts, np.r_[starts[1:], len(key)]):
-            self._parts[tuple(key[start].tolist())].append((self._end + start, stop - start))
+        if not self._is_open:
+            raise ValueError("the store of tiles is not open")
+        farthest, highest = self.settings.max_distance_m, self.settings.max_height_m
+        whole = np.rint(origin).astype(np.int64)
+        keys, starts, records = sort_by_tile(xyz, whole, self.edge, farthest, highest, self.width == 4)
+        for key, start, stop in zip(keys.tolist(), starts[:-1].tolist(), starts[1:].tolist()):
+            self._parts[key[0], key[1]].append((len(self._blocks), start, stop - start))
         self._append(records)
+        self.point_count += len(xyz)
+        self.stray_count += len(xyz) - len(records)
 
     def counts(self) -> dict[Key, int]:
         """Return the number of points by tile (column, row)."""
-        return {key: sum(n for _, n in parts) for key, parts in self._parts.items()}
+        return {key: sum(count for _, _, count in parts) for key, parts in self._parts.items()}
 
     def tile(self, key: Key) -> Tile:
         """Read the tile in column and row `key`, its points in the cloud's order."""
-        records = self._records(key)
+        parts = self._parts[key]
+        records = np.concatenate([self._read(*part) for part in parts])
+        first = np.repeat([self._blocks[part[0]].first for part in parts], [part[2] for part in parts])
+        index = first + records[:, 3] if self.width == 4 else np.zeros(0, np.int64)
         corner = (key[0] * self.edge, key[1] * self.edge)
-        return Tile(corner, np.ascontiguousarray(records["xyz"]), records["index"], self.edge)
+        return Tile(corner, np.ascontiguousarray(records[:, :3]), index, self.edge)
 
     def keep(self, key: Key, rows: np.ndarray) -> None:
-        """Leave out all but some rows of the tile `key`."""
-        records = self._records(key)[rows]
-        self._parts[key] = [(self._end, len(records))]
-        self._append(records)
-
-    def _records(self, key: Key) -> np.ndarray:
-        blocks = []
-        for start, count in self._parts[key]:
-            self._file.seek(int(start) * _RECORD.itemsize)
-            with _full_disk_named():
-                block = np.fromfile(self._file, _RECORD, int(count))
-                if len(block) < count:
-                    raise OSError("it ends early")
-            blocks.append(block)
-        return np.concatenate(blocks)
+        """Leave out all but some rows of the tile `key`, which ascend; no more room is taken."""
+        parts, begin = [], 0
+        for block, start, count in self._parts[key]:
+            own = rows[(rows >= begin) & (rows < begin + count)] - begin
+            self._replace(block, start, self._read(block, start, count)[own])
+            parts.append((block, start, len(own)))
+            begin += count
+        self._parts[key] = parts
 
     def _append(self, records: np.ndarray) -> None:
-        self._file.seek(self._end * _RECORD.itemsize)
+        """Keep the records of one more chunk, in the file if memory is used up."""
+        if self._in_memory + records.nbytes <= self.settings.memory_bytes:
+            self._in_memory += records.nbytes
+            self._blocks.append(_Block(self.point_count, records, 0))
+            return
+        self._write(self._end, records)
+        self._blocks.append(_Block(self.point_count, None, self._end))
+        self._end += records.nbytes
+
+    def _read(self, number: int, start: int, count: int) -> np.ndarray:
+        block = self._blocks[number]
+        if block.records is not None:
+            return block.records[start : start + count]
+        self._file.seek(block.start + start * 4 * self.width)
+        with _full_disk_named():
+            records = np.fromfile(self._file, np.int32, count * self.width)
+            if len(records) < count * self.width:
+                raise OSError("it ends early")
+        return records.reshape(count, self.width)
+
+    def _replace(self, number: int, start: int, records: np.ndarray) -> None:
+        block = self._blocks[number]
+        if block.records is not None:
+            block.records[start : start + len(records)] = records
+        else:
+            self._write(block.start + start * 4 * self.width, records)
+
+    def _write(self, position: int, records: np.ndarray) -> None:
+        self._file.seek(position)
         with _full_disk_named():
             # numpy's own writing does not notice a full disk.
-            left = memoryview(records.view(np.uint8))
+            left = memoryview(np.ascontiguousarray(records).reshape(-1).view(np.uint8))
             while len(left):
                 left = left[self._file.write(left) :]
-        self._end += len(records)
 
     def tiles(self, keys: list[Key], progress: Progress, message: str) -> Iterator[tuple[Key, Tile]]:
         """Yield (key, tile) in the order of `keys`, reporting progress."""
@@ -166,30 +225,17 @@ def _full_disk_named() -> Iterator[None]:
         ) from error
 
 
-def _by_tile(
-    xyz: np.ndarray, origin: np.ndarray, index: np.ndarray, edge: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return tile keys (n, 2) and records (n,), both sorted by row, then column; a stable order."""
-    key, steps = tiles_of(xyz, origin, edge)
-    column, row = (key - key.min(axis=0)).T if len(key) else key.T
-    # Scanners write neighbours in sequence, and a stable sort is fast on what is sorted already.
-    order = np.argsort(row * (column.max(initial=0) + 1) + column, kind="stable")
-    records = np.empty(len(key), _RECORD)
-    records["xyz"] = steps[order]
-    records["index"] = index[order]
-    return key[order], records
-
-
 def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
     """Sort a whole cloud into `store`.
 
     Raises
     ------
     InputError
-        If too many of the points are stray.
+        If too many of the points are stray, or the temporary folder has no room for them.
     """
-    for chunk in cloud.chunks(progress):
-        store.add(chunk.xyz, cloud.origin)
+    store.expect(cloud.expected_points)
+    for xyz in cloud.positions(progress):
+        store.add(xyz, cloud.origin)
     if store.stray_count > store.settings.max_stray_share * store.point_count:
         kilometres = store.settings.max_height_m / 1000
         raise InputError(

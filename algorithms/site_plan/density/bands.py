@@ -1,5 +1,8 @@
 """The accumulators of the bands of a density image, filled tile by tile."""
 
+from contextlib import nullcontext
+from threading import Lock
+
 import numpy as np
 
 from ...clouds.tiles.lattice import LATTICE
@@ -25,17 +28,25 @@ class Bands:
         self.parts = np.zeros((grid.height * parts, grid.width * parts), np.uint8)
         self.base = np.full(grid.shape, np.inf, np.float32)
         self.top = np.full(grid.shape, -np.inf, np.float32)
+        self._lock = Lock()
 
-    def add(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
-        """Spread the kept points of a tile, and note the heights of all."""
+    def spread(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
+        """Spread the kept points of a tile; the sum of their weights depends on the order of the tiles."""
         x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
         chosen = tile.xyz[kept]
         _spread(self.density, chosen, x0, y0, self.grid.step, neighbourhood)
         window, step = self.settings.window, self.grid.step
         limits = window.lowest_m, window.highest_m, self.settings.spread.parts
         count_in_parts(self.parts, self.ground, chosen, x0, y0, step, LATTICE, *limits)
+
+    def stack(self, tile: Tile) -> None:
+        """Note the heights of all points of a tile, in any order; at once for tiles that do not touch."""
+        x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
+        window, step = self.settings.window, self.grid.step
         heights = (self.ground, self.bits, self.base, self.top)
-        _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
+        # A pixel wider than a tile may lie in two that do not touch.
+        with self._lock if step > tile.edge else nullcontext():
+            _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
 
 
 @kernel
@@ -77,7 +88,8 @@ def _stack(
 ) -> None:
     """Note the bin above ground of each point, and the lowest and the highest point of a pixel."""
     for i in range(len(xyz)):
-        column, row = (xyz[i, 0] + x0) // step, (xyz[i, 1] + y0) // step
+        # Exact: integers up to 2^53 are floats, and a quotient below a whole number is not rounded up to it.
+        column, row = int((xyz[i, 0] + x0) / step), int((xyz[i, 1] + y0) / step)
         z = xyz[i, 2] * lattice
         base[row, column] = min(base[row, column], z)
         top[row, column] = max(top[row, column], z)
@@ -95,5 +107,16 @@ def occupied_bins(bits: np.ndarray, count: int) -> np.ndarray:
     bits = bits & np.uint64((1 << count) - 1)
     between = (bits << one) & (bits >> one)
     between |= ((bits << one) & (bits >> two)) | ((bits << two) & (bits >> one))
-    bits = bits | between
-    return sum((bits >> np.uint64(k)) & one for k in range(count))
+    return _count_bits(bits | between, count)
+
+
+@kernel
+def _count_bits(bits: np.ndarray, count: int) -> np.ndarray:
+    """Count those of the lowest bits that are set."""
+    counts = np.zeros(bits.shape, np.uint64)
+    for row in range(bits.shape[0]):
+        for column in range(bits.shape[1]):
+            word = bits[row, column]
+            for k in range(count):
+                counts[row, column] += (word >> np.uint64(k)) & np.uint64(1)
+    return counts

@@ -16,9 +16,10 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.tiles.lattice import LATTICE, to_lattice
-from ...clouds.tiles.tile_store import TileStore, fill, stray_warning
+from ...clouds.tiles.lattice import LATTICE, limits_of, to_lattice
+from ...clouds.tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from ...errors import InputError
+from ...parallel import in_order
 from ...progress import Progress
 from ..walls.height_gate import Heights
 from .bands import Bands, occupied_bins
@@ -119,7 +120,7 @@ def density_image(
 
 @dataclass(frozen=True)
 class SortedPoints:
-    """The points of a site on disk, for as long as `sort_and_image` is open.
+    """The points of a site by tile, for as long as `sort_and_image` is open.
 
     Attributes
     ----------
@@ -173,8 +174,8 @@ def sort_and_image(
             keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, bands.ground)
             bands.ground += max(heights.low, 0.0)
         kept = 0
-        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0)):
-            bands.add(tile, rows, neighbourhood)
+        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0), beside=bands.stack):
+            bands.spread(tile, rows, neighbourhood)
             kept += len(rows)
         warnings = (
             *cloud.warnings,
@@ -206,12 +207,16 @@ def _survey(
     make_grid(low, high, pixel, 0, settings.site)
     cells = make_grid(low, high, to_lattice(settings.ground.cell_m), 0, settings.site)
     surface = LowestSurface(cells, settings.ground)
-    least, most = [], []
-    for _, tile in store.tiles(sorted(keys), progress, "Finding the ground"):
+
+    def look_at(item: tuple[Key, Tile]) -> tuple[np.ndarray, np.ndarray]:
+        tile = item[1]
         surface.add(tile)
-        offset = np.array([*tile.corner, 0])
-        least.append(offset + [tile.xyz[:, axis].min() for axis in range(3)])
-        most.append(offset + [tile.xyz[:, axis].max() for axis in range(3)])
+        low, high = limits_of(tile.xyz)
+        corner = np.array([*tile.corner, 0])
+        return low + corner, high + corner
+
+    tiles = store.tiles(sorted(keys), progress, "Finding the ground")
+    least, most = zip(*in_order(look_at, tiles))
     return np.min(least, axis=0), np.max(most, axis=0), surface
 
 

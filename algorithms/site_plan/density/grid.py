@@ -68,7 +68,8 @@ def site_tiles(
     stray : int
         Number of points left out.
     """
-    counts = store.counts()
+    # Which part is the first of the largest must not depend on the order of the points.
+    counts = dict(sorted(store.counts().items()))
     keys = np.array(list(counts))
     reach = max(round(settings.part_gap_m / 2 / (store.edge * LATTICE)), 1)
     blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)

@@ -10,8 +10,9 @@ import numpy as np
 from scipy import ndimage
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
-from ...clouds.tiles.tile_store import Tile
+from ...clouds.tiles.tile_store import Key, Tile
 from ...kernels import kernel
+from ...parallel import in_order
 from ...progress import Progress
 from ..density.density_image import DensityImage, SortedPoints
 from .settings import FacePointSettings
@@ -98,12 +99,15 @@ def gather_face_points(
     ground = image.ground[::-1]
     low, high = _window(image, walls, settings)
     window = low, high, (high - low) / settings.levels
-    blocks = []
-    for _, tile in points.store.tiles(points.keys, progress, "Gathering the points of the faces"):
+
+    def gather(item: tuple[Key, Tile]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        tile = item[1]
         offset = np.array([tile.corner[i] - grid.corner[i] for i in (0, 1)])
         level = _levels(near, ground, tile.xyz, *offset, grid.step, LATTICE, *window)
-        blocks.append(_voxels(tile, level, offset, to_lattice(settings.voxel_m)))
-    xy, level, count = (np.concatenate(parts) for parts in zip(*blocks))
+        return _voxels(tile, level, offset, to_lattice(settings.voxel_m))
+
+    tiles = points.store.tiles(points.keys, progress, "Gathering the points of the faces")
+    xy, level, count = (np.concatenate(parts) for parts in zip(*in_order(gather, tiles)))
     return face_points(xy, level, count)
 
 

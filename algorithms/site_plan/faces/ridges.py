@@ -12,11 +12,15 @@ from typing import Any, Callable
 import numpy as np
 
 from ...kernels import kernel
+from ...parallel import in_parts
 from .face_points import SQUARE, FacePoints
 from .settings import RidgeSettings
 
 MOST = 1 << 15
 """Most voxels of a window that are looked at; only foliage fills one with more."""
+
+PART = 1 << 8
+"""Stations whose ridges one thread finds at a time."""
 
 _make: Callable[..., Any] = namedtuple
 _Numbers = _make("_Numbers", [item.name for item in fields(RidgeSettings)])
@@ -85,7 +89,12 @@ def find_ridges(
     fewest_levels = min(settings.fewest_levels, points.levels)
     outline = np.ascontiguousarray(stations.xy), np.ascontiguousarray(stations.tangent)
     asked = pixel_size, settings.turns, fewest_levels, _Numbers(*astuple(settings))
-    _find(*voxels, *outline, *asked, ridges.found, ridges.xy, ridges.direction)
+
+    def find(part: slice) -> None:
+        result = (array[part] for array in (ridges.found, ridges.xy, ridges.direction))
+        _find(*voxels, *(array[part] for array in outline), *asked, *result)
+
+    in_parts(find, len(found), PART)
     return ridges
 
 

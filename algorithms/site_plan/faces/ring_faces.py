@@ -6,6 +6,7 @@ from typing import Callable, Optional
 import numpy as np
 
 from ...geometry.curves import Arc
+from ...parallel import in_order
 from .face import Face, fit_face
 from .face_points import FacePoints
 from .ridge_segments import cut_into_segments, scatter_of
@@ -54,7 +55,7 @@ def find_faces(
     def fit(members: np.ndarray, curved: bool) -> Optional[Face]:
         return fit_face(members, curved, ridges, points, settings)
 
-    fitted = [face for face in (fit(*segment) for segment in segments) if face is not None]
+    fitted = [face for face in in_order(lambda segment: fit(*segment), segments) if face is not None]
     faces = tuple(_joined(fitted, fit, round(settings.rings.gap_m / step), settings.rings))
     return RingFaces(stations, step, faces, _is_closed(faces, count, step, settings.rings))
 

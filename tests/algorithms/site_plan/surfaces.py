@@ -13,10 +13,15 @@ SHIFT = np.array([0.037, 0.053, 0.0])
 
 def cloud_of(points, cuts=()):
     """Return the points as a cloud of one or more chunks."""
-    chunks = [SimpleNamespace(xyz=part) for part in np.split(points + SHIFT, cuts)]
+    chunks = np.split(points + SHIFT, cuts)
     source = SimpleNamespace(path=SimpleNamespace(name="scan.laz"))
     return SimpleNamespace(
-        chunks=lambda progress: iter(chunks), origin=ORIGIN, warnings=(), sources=(source,), crs=None
+        positions=lambda progress: iter(chunks),
+        expected_points=0,
+        origin=ORIGIN,
+        warnings=(),
+        sources=(source,),
+        crs=None,
     )
 
 

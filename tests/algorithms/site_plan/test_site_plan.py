@@ -1,6 +1,6 @@
 """A cloud becomes the plan of a site in one call."""
 
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -52,6 +52,29 @@ def test_the_outlines_of_pixels_are_kept_beside_those_on_the_faces():
     (wall,) = plan.pixel_walls
     assert 0.05 < offset(wall.outline, walls_of_house()) < 0.3
     assert wall.thickness is None
+
+
+@pytest.mark.parametrize(
+    "cuts, seed", [((7, 900, 5000), None), ((), 1), ((4000,), 2), (range(0, 9000, 700), 3)]
+)
+def test_the_plan_is_the_same_bytes_however_its_points_are_cut_and_ordered(cuts, seed):
+    points = points_under_ceiling(sides_of((1.0, 1.6), (2.0, 2.6), 0.0, 0.8))
+    points = points + np.random.default_rng(0).normal(0, 0.002, points.shape)
+    order = np.arange(len(points)) if seed is None else np.random.default_rng(seed).permutation(len(points))
+    plan = make_site_plan(cloud_of(points[order], list(cuts)), EVERYTHING)
+    assert plan.storey is not None
+    assert bytes_of(plan) == bytes_of(make_site_plan(cloud_of(points), EVERYTHING))
+
+
+def bytes_of(value):
+    """Return all that a result consists of, arrays and outlines as bytes."""
+    if is_dataclass(value):
+        return {item.name: bytes_of(getattr(value, item.name)) for item in fields(value)}
+    if isinstance(value, (tuple, list)):
+        return [bytes_of(item) for item in value]
+    if isinstance(value, np.ndarray):
+        return value.shape, value.tobytes()
+    return getattr(value, "wkb", repr(value))
 
 
 def test_without_refinement_the_walls_are_those_of_pixels():

@@ -1,8 +1,6 @@
 """Voxels of a cloud: one mean point each, with the normal of the surface around it."""
 
-import os
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +8,7 @@ from scipy.spatial import cKDTree
 
 from ....geometry.linked_parts import label_linked
 from ....kernels import kernel
+from ....parallel import in_order, in_parts
 from ..settings import VoxelSettings
 
 HALF_RANGE = 1 << 20
@@ -17,8 +16,11 @@ HALF_RANGE = 1 << 20
 
 BITS = 21
 
-PART = 1 << 16
+PART = 1 << 14
 """Voxels whose normals one thread finds at a time."""
+
+SHARE = 2.0**40
+"""Steps in a metre of the integers that are summed up: a voxel of 2 cm takes 35 bits, a count 28 more."""
 
 
 @dataclass(frozen=True)
@@ -85,42 +87,75 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
 
 def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
-    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.float32)
+    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.int64)
     added: list[tuple[np.ndarray, np.ndarray]] = []
-    for chunk in chunks:
-        if len(chunk):
-            index = np.floor(chunk / edge)
-            # Sums of what is left of the voxel's corner are small, so that four bytes hold them.
-            left = np.column_stack([chunk - index * edge, np.ones(len(chunk))]).astype(np.float32)
-            added.append(_reduced(_packed(index), left))
+    count = 0
+    for more in in_order(lambda chunk: _summed(chunk, edge, SHARE), chunks):
+        added.append(more)
+        count += len(more[0])
         # Adding only as much as there is already sorts every voxel a few times, not once a chunk.
-        if sum(len(more) for more, _ in added) > len(keys):
+        if count > len(keys):
             keys, sums = _added(keys, sums, added)
             added.clear()
+            count = 0
     keys, sums = _added(keys, sums, added)
-    return _unpacked(keys) * edge + sums[:, :3].astype(float) / np.maximum(sums[:, 3:], 1)
+    return _unpacked(keys) * edge + sums[:, :3] / np.maximum(sums[:, 3:], 1) / SHARE
+
+
+@kernel
+def _summed(xyz: np.ndarray, edge: float, share: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the keys of the voxels of a chunk, and the sums of what is left of their corners.
+
+    The sums are integers, whose sum does not depend on the order of the points, and have a count beside them.
+    """
+    size = 16
+    while size < 2 * len(xyz):
+        size *= 2
+    mask = np.uint64(size - 1)
+    row_of = np.full(size, -1, np.int32)
+    keys = np.empty(len(xyz), np.int64)
+    sums = np.zeros((len(xyz), 4), np.int64)
+    count = 0
+    for i in range(len(xyz)):
+        x, y, z = np.floor(xyz[i, 0] / edge), np.floor(xyz[i, 1] / edge), np.floor(xyz[i, 2] / edge)
+        key = ((np.int64(x) + HALF_RANGE) << 2 * BITS) | ((np.int64(y) + HALF_RANGE) << BITS)
+        key |= np.int64(z) + HALF_RANGE
+        slot = np.uint64(key) * np.uint64(0x9E3779B97F4A7C15)
+        slot = (slot >> np.uint64(32)) & mask
+        while row_of[slot] >= 0 and keys[row_of[slot]] != key:
+            slot = (slot + np.uint64(1)) & mask
+        row = row_of[slot]
+        if row < 0:
+            row = row_of[slot] = count
+            keys[row] = key
+            count += 1
+        sums[row, 0] += np.int64(np.rint((xyz[i, 0] - x * edge) * share))
+        sums[row, 1] += np.int64(np.rint((xyz[i, 1] - y * edge) * share))
+        sums[row, 2] += np.int64(np.rint((xyz[i, 2] - z * edge) * share))
+        sums[row, 3] += 1
+    return keys[:count].copy(), sums[:count].copy()
 
 
 def _added(
     keys: np.ndarray, sums: np.ndarray, added: list[tuple[np.ndarray, np.ndarray]]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Add keys and their sums to those that there are."""
-    if not added:
-        return keys, sums
-    return _reduced(
-        np.concatenate([keys, *(more for more, _ in added)]),
-        np.concatenate([sums, *(more for _, more in added)]),
-    )
+    """Add keys and their sums to those that there are; the keys ascend."""
+    keys = np.concatenate([keys, *(more for more, _ in added)])
+    sums = np.concatenate([sums, *(more for _, more in added)])
+    order = np.argsort(keys, kind="stable")
+    keys = keys[order]
+    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]][: len(keys)])
+    return keys[first], np.add.reduceat(sums[order], first, axis=0) if len(first) else sums
 
 
 def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
     """Drop the small parts that lie far from the rest: reflections put points a kilometre away."""
     if not len(xyz):
         return xyz
-    blocks, member = np.unique(
-        np.floor(xyz[:, :2] / settings.apart_m).astype(int), axis=0, return_inverse=True
-    )
-    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
+    column, row = np.floor(xyz[:, :2] / settings.apart_m).astype(np.int64).T
+    packed, member = np.unique((column << 32) + row, return_inverse=True)
+    row = packed.astype(np.int32).astype(np.int64)
+    number = {block: i for i, block in enumerate(zip(((packed - row) >> 32).tolist(), row.tolist()))}
     around = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
     pairs = [
         (i, number[x + dx, y + dy])
@@ -129,7 +164,7 @@ def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
         if (x + dx, y + dy) in number
     ]
     first, second = np.array(pairs).T
-    part = label_linked(first, second, len(blocks))[member.ravel()]
+    part = label_linked(first, second, len(packed))[member]
     return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
 
 
@@ -143,14 +178,6 @@ def _unpacked(keys: np.ndarray) -> np.ndarray:
     """Return the three whole numbers, shape (n, 3)."""
     mask = (1 << BITS) - 1
     return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
-
-
-def _reduced(keys: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Add up the values, shape (n, k), of equal keys."""
-    order = np.argsort(keys, kind="stable")
-    keys = keys[order]
-    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]])
-    return keys[first], np.add.reduceat(values[order], first, axis=0)
 
 
 def _spacing(xyz: np.ndarray, settings: VoxelSettings) -> float:
@@ -183,8 +210,7 @@ def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, n
     def fit(part: slice) -> None:
         _fit_planes(*arrays, normal[part], thickness[part], part.start, radius, fewest)
 
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        list(pool.map(fit, (slice(start, start + PART) for start in range(0, len(xyz), PART))))
+    in_parts(fit, len(xyz), PART)
     back = np.empty_like(order)
     back[order] = np.arange(len(order))
     return normal[back], thickness[back]
@@ -198,11 +224,15 @@ def _agreeing_normals(
     Where points are as far apart as the two faces of a partition, those around one lie on both faces.
     """
     tree = cKDTree(xyz)
-    distance, near = tree.query(xyz[rows], settings.tried_points, distance_upper_bound=radius)
+    distance, near = tree.query(xyz[rows], settings.tried_points, distance_upper_bound=radius, workers=-1)
     near[np.isinf(distance)] = -1
     normal = np.zeros((len(rows), 3), np.float32)
     count = np.zeros(len(rows), np.int64)
-    _fit_agreeing(xyz, rows, near, band, settings.tried_sine, normal, count)
+
+    def fit(part: slice) -> None:
+        _fit_agreeing(xyz, rows[part], near[part], band, settings.tried_sine, normal[part], count[part])
+
+    in_parts(fit, len(rows), PART)
     return normal, count, (near >= 0).sum(axis=1)
 
 
@@ -217,12 +247,14 @@ def _fit_agreeing(
     count: np.ndarray,
 ) -> None:
     """Write for each row the normal of the plane through its point and most near ones, and their number."""
-    away = np.empty((near.shape[1], 3))
+    away, squared = np.empty((near.shape[1], 3)), np.empty(near.shape[1])
     for row in range(len(rows)):
         n = 0
         for k in range(near.shape[1]):
             if near[row, k] >= 0 and near[row, k] != rows[row]:
-                away[n] = xyz[near[row, k]] - xyz[rows[row]]
+                for axis in range(3):
+                    away[n, axis] = xyz[near[row, k], axis] - xyz[rows[row], axis]
+                squared[n] = away[n, 0] ** 2 + away[n, 1] ** 2 + away[n, 2] ** 2
                 n += 1
         least = np.inf
         for i in range(n):
@@ -231,7 +263,7 @@ def _fit_agreeing(
                 y = away[i, 2] * away[j, 0] - away[i, 0] * away[j, 2]
                 z = away[i, 0] * away[j, 1] - away[i, 1] * away[j, 0]
                 size = np.sqrt(x * x + y * y + z * z)
-                if size < least_sine * np.sqrt((away[i] ** 2).sum() * (away[j] ** 2).sum()):
+                if size < least_sine * np.sqrt(squared[i] * squared[j]):
                     continue
                 on, off = 1, 0.0
                 for k in range(n):
@@ -239,6 +271,9 @@ def _fit_agreeing(
                     if distance <= band:
                         on += 1
                         off += distance
+                    elif on + n - k <= count[row]:
+                        # Those that are left cannot make it the best plane any more.
+                        break
                 if on > count[row] or (on == count[row] and off < least):
                     count[row], least = on, off
                     normal[row, 0], normal[row, 1], normal[row, 2] = x / size, y / size, z / size

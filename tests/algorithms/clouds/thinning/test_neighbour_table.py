@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.thinning.neighbour_table import choose
+from ichnograph.algorithms.clouds.thinning.neighbour_table import _by_hash, choose
 from scipy.spatial import cKDTree
 
 NO_SEEDS = np.empty((0, 3), np.int64)
@@ -24,6 +24,14 @@ def test_chosen_points_keep_their_distance_and_all_others_are_near_one(seed, rea
     others = np.delete(xyz, kept, axis=0)
     if len(others):
         assert cKDTree(chosen).query(others)[0].max() < reach
+
+
+@given(
+    hashes=st.lists(st.one_of(st.integers(0, 3), st.integers(0, 2**64 - 1)), max_size=200),
+)
+def test_hashes_are_sorted_stably_even_where_they_are_equal(hashes):
+    hashes = np.array(hashes, np.uint64)
+    np.testing.assert_array_equal(_by_hash(hashes), np.argsort(hashes, kind="stable"))
 
 
 def test_points_exactly_at_the_reach_are_both_chosen():

@@ -16,10 +16,14 @@ ORIGIN = np.array([412_300.0, 5_812_700.0, 0.0])
 
 def cloud_of(*parts, origin=ORIGIN):
     """Return a cloud whose chunks are `parts`, in metres about `origin`."""
-    chunks = [SimpleNamespace(xyz=np.asarray(part, float).reshape(-1, 3)) for part in parts]
+    chunks = [np.asarray(part, float).reshape(-1, 3) for part in parts]
     source = SimpleNamespace(path=SimpleNamespace(name="scan.laz"))
     return SimpleNamespace(
-        chunks=lambda progress: iter(chunks), origin=origin, warnings=(), sources=(source,)
+        positions=lambda progress: iter(chunks),
+        expected_points=0,
+        origin=origin,
+        warnings=(),
+        sources=(source,),
     )
 
 

@@ -13,6 +13,7 @@ from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 
 ORIGIN = np.array([600_000.0, 5_000_000.0, 0.0])
+ON_DISK = TileSettings(memory_bytes=0)
 XYZ = np.random.default_rng(4).uniform([-9, -9, 0], [9, 9, 3], (200, 3)).round(4)
 
 
@@ -25,8 +26,9 @@ def points_of(store):
 
 
 @pytest.mark.parametrize("pieces", [1, 7, 200])
-def test_all_points_come_back_however_they_arrive(pieces):
-    with TileStore(4.0) as store:
+@pytest.mark.parametrize("memory", [0, 900, 10**6], ids=["on disk", "partly on disk", "in memory"])
+def test_all_points_come_back_however_they_arrive(pieces, memory):
+    with TileStore(4.0, TileSettings(memory_bytes=memory), is_numbered=True) as store:
         for part in np.array_split(XYZ, pieces):
             store.add(part, ORIGIN)
         assert store.point_count == sum(store.counts().values()) == 200
@@ -34,7 +36,7 @@ def test_all_points_come_back_however_they_arrive(pieces):
 
 
 def test_a_tile_holds_its_points_in_the_order_of_the_cloud():
-    with TileStore(4.0) as store:
+    with TileStore(4.0, is_numbered=True) as store:
         for part in np.array_split(XYZ, 3):
             store.add(part, ORIGIN)
         for key, tile in store.tiles(list(store.counts()), Progress(), "Reading"):
@@ -43,14 +45,34 @@ def test_a_tile_holds_its_points_in_the_order_of_the_cloud():
             assert tile.xyz[:, :2].min() >= 0 and tile.xyz[:, :2].max() < tile.edge
 
 
-def test_rows_that_are_not_kept_are_gone():
-    with TileStore(100.0) as store:
-        store.add(XYZ, np.zeros(3))
+@pytest.mark.parametrize("memory", [0, 1300, 10**6], ids=["on disk", "partly on disk", "in memory"])
+def test_rows_that_are_not_kept_are_gone(memory):
+    with TileStore(100.0, TileSettings(memory_bytes=memory), is_numbered=True) as store:
+        for part in np.array_split(XYZ, 3):
+            store.add(part, np.zeros(3))
         key = max(store.counts(), key=store.counts().get)
-        before = store.tile(key).index
-        store.keep(key, np.array([0, 2]))
-        assert store.counts()[key] == 2
-        np.testing.assert_array_equal(store.tile(key).index, before[[0, 2]])
+        before = store.tile(key)
+        rows = np.arange(0, len(before.xyz), 3)
+        store.keep(key, rows)
+        assert store.counts()[key] == len(rows)
+        np.testing.assert_array_equal(store.tile(key).index, before.index[rows])
+        np.testing.assert_array_equal(store.tile(key).xyz, before.xyz[rows])
+
+
+def test_a_point_takes_12_bytes_and_a_file_is_made_only_beyond_the_budget(monkeypatch, tmp_path):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "none"))
+    with TileStore(4.0, TileSettings(memory_bytes=200 * 12)) as store:
+        store.add(XYZ, ORIGIN)
+        assert len(store.tile(next(iter(store.counts()))).index) == 0
+        with pytest.raises(InputError, match="temporary file"):
+            store.add(XYZ, ORIGIN)
+
+
+def test_points_for_which_the_temporary_folder_has_no_room_are_refused_at_once():
+    with TileStore(4.0, TileSettings(memory_bytes=12 * 10**18)) as store:
+        store.expect(10**18)
+        with pytest.raises(InputError, match=r"take up to 12\d+\.\d GB; free some space, or set TMPDIR"):
+            store.expect(2 * 10**18)
 
 
 def test_stray_points_are_counted_and_left_out():
@@ -91,7 +113,7 @@ def test_a_store_that_is_not_open_says_so():
 def test_a_full_temporary_disk_is_one_sentence():
     if not Path("/dev/full").exists():
         pytest.skip("this system has no device that is always full")
-    with TileStore(4.0) as store, Path("/dev/full").open("r+b", buffering=0) as full:
+    with TileStore(4.0, ON_DISK) as store, Path("/dev/full").open("r+b", buffering=0) as full:
         store._open_file = full
         with pytest.raises(InputError, match=r"temporary file of the points cannot be written .* set TMPDIR"):
             store.add(XYZ, ORIGIN)
@@ -99,5 +121,8 @@ def test_a_full_temporary_disk_is_one_sentence():
 
 def test_a_temporary_folder_that_is_missing_is_one_sentence(monkeypatch, tmp_path):
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "none"))
-    with pytest.raises(InputError, match="temporary file of the points cannot be written"), TileStore(4.0):
-        pass
+    with (
+        TileStore(4.0, ON_DISK) as store,
+        pytest.raises(InputError, match="temporary file of the points cannot be written"),
+    ):
+        store.add(XYZ, ORIGIN)

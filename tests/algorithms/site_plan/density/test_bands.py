@@ -16,8 +16,9 @@ def filled(points_m, kept=slice(None), neighbourhood=1):
     """Return the bands of 5 x 5 pixels, filled with points whose ground is at 0 m."""
     bands = Bands(Grid(0, 0, 5, 5, STEP), np.zeros((5, 5)), DensitySettings())
     xyz = np.round(np.array(points_m) * 100_000).astype(np.int32)
-    tile = SimpleNamespace(corner=(0, 0), xyz=xyz)
-    bands.add(tile, np.arange(len(xyz))[kept], neighbourhood)
+    tile = SimpleNamespace(corner=(0, 0), xyz=xyz, edge=50_000)
+    bands.spread(tile, np.arange(len(xyz))[kept], neighbourhood)
+    bands.stack(tile)
     return bands
 
 

@@ -11,10 +11,15 @@ GRID_ORIGIN = np.array([412_300.0, 5_812_700.0, 0.0])
 
 
 def cloud_of(points, origin=GRID_ORIGIN):
-    chunk = SimpleNamespace(xyz=np.asarray(points, float).reshape(-1, 3))
+    xyz = np.asarray(points, float).reshape(-1, 3)
     source = SimpleNamespace(path=SimpleNamespace(name="scan.laz"))
     return SimpleNamespace(
-        chunks=lambda progress: iter([chunk]), origin=origin, warnings=(), sources=(source,), crs=None
+        positions=lambda progress: iter([xyz]),
+        expected_points=len(xyz),
+        origin=origin,
+        warnings=(),
+        sources=(source,),
+        crs=None,
     )
 
 
