@@ -41,6 +41,14 @@ class Chunk:
     scan: Optional[np.ndarray] = None
     station: Optional[np.ndarray] = None
 
+    def subset(self, rows: np.ndarray) -> "Chunk":
+        """Return some of the points, without attributes, scan and station."""
+        return Chunk(
+            self.xyz[rows],
+            None if self.intensity is None else self.intensity[rows],
+            None if self.rgb is None else self.rgb[rows],
+        )
+
 
 @dataclass(frozen=True)
 class Source(ABC):

@@ -89,11 +89,7 @@ def _kept_chunks(cloud: Cloud, kept: np.ndarray, progress: Progress, size: int) 
     for chunk in cloud.chunks(progress, size):
         rows = _rows(kept, start, len(chunk.xyz))
         start += len(chunk.xyz)
-        yield Chunk(
-            chunk.xyz[rows],
-            None if chunk.intensity is None else chunk.intensity[rows],
-            None if chunk.rgb is None else chunk.rgb[rows],
-        )
+        yield chunk.subset(rows)
 
 
 def _write_text(
