@@ -81,6 +81,11 @@ class Source(ABC):
         """Names and types of what else the chunks carry; normals are rotated with the points."""
         return ()
 
+    @property
+    def others(self) -> tuple[str, ...]:
+        """What the points have besides coordinates, intensity and colour, by the names in the file."""
+        return tuple(name for name, _ in self.attributes)
+
     @abstractmethod
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order, `size` at a time, relative to `origin`.

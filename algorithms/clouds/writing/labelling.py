@@ -22,7 +22,9 @@ from .las_files import (
     of_one_point_format,
     replace_crs,
     rescale,
+    widen_colour,
 )
+from .losses import losses, unlike_times, unlike_values
 from .target import check_target, is_text
 from .text_files import append_rows, table_of
 
@@ -77,7 +79,14 @@ def write_labelled(
     """
     target = Path(path)
     check_target(cloud, target)
-    files = of_one_point_format(cloud)
+    files = () if is_text(target) else of_one_point_format(cloud)
+    doubts = (
+        (*unlike_values(cloud, target), *unlike_times(files, target))
+        if files
+        else losses(cloud, target, _shared_attributes(cloud))
+    )
+    for sentence in doubts:
+        progress.update(0.0, sentence)
     labels = Labels(name, values, np.arange(len(values)) if kept is None else kept)
     with atomic_output(target) as temporary:
         if is_text(target):
@@ -103,6 +112,7 @@ def _write_records(
     if first.crs is None and cloud.crs is not None:
         evlrs = replace_crs(header, evlrs, cloud.crs)
     header.scales = common_scales(cloud, settings)
+    depths = {source.colour_factor for source in files if source.has_rgb}
     done = 0
     with las_writer(path, header) as writer:
         for source, part in parts(files, progress):
@@ -114,6 +124,8 @@ def _write_records(
                     points[field] = records[field][rows]
                 points[labels.name] = values
                 rescale(points, source, header, path)
+                if len(depths) > 1 and source.has_rgb:
+                    widen_colour(points, source)
                 writer.write_points(laspy.PackedPointRecord(points, header.point_format))
         if evlrs:
             writer.write_evlrs(VLRList(evlrs))
