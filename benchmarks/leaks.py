@@ -50,7 +50,7 @@ def main() -> None:
     """Print a row for every algorithm."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--runs", type=int, default=200)
-    parser.add_argument("--points", type=int, default=20_000)
+    parser.add_argument("--points", type=int, help="of each cloud; without, a small room and facade")
     parser.add_argument("--only", nargs="*", help="names of algorithms")
     parser.add_argument("--e57", type=Path, help="a file to open as often")
     arguments = parser.parse_args()

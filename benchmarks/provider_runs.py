@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any, Optional
 
 import numpy as np
+import rasterio.crs
 from ichnograph.algorithms.registration.lists.point_list import PointList
 from ichnograph.tests.algorithms.targets.made_targets import one_target
+from ichnograph.tests.processing_provider.room import covered_points, write_las
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.facades import FACADES
@@ -34,12 +36,12 @@ class ProviderRuns:
     ----------
     folder : Path
         For inputs and outputs.
-    points : int
-        About as many has each cloud.
+    points : int, optional
+        About as many has each cloud; None for a room and a storehouse, which take each algorithm a second.
     """
 
     folder: Path
-    points: int
+    points: Optional[int] = None
     inputs: dict[str, tuple[str, dict[str, Any]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -92,11 +94,15 @@ class ProviderRuns:
         self._provider: Any = self._plugin.provider
 
     def _clouds(self) -> None:
-        scan = SCENES["interior"](0).scan(angular_step=0.2 * (10_000_000 / self.points) ** 0.5)
         cloud, facade = self.folder / "interior.laz", self.folder / "facade.laz"
-        write_laz(cloud, scan, np.arange(min(len(scan.points), self.points)), CRS)
-        scene = FACADES["medina"](0)
-        write_facade(facade, scene.scan(spacing=0.01 * (900_000 / self.points) ** 0.5), CRS)
+        if self.points is None:
+            write_las(cloud, covered_points()[::2], rasterio.crs.CRS.from_user_input(CRS))
+            write_facade(facade, FACADES["storehouse"](0).scan(spacing=0.08), CRS)
+        else:
+            scan = SCENES["interior"](0).scan(angular_step=0.2 * (10_000_000 / self.points) ** 0.5)
+            write_laz(cloud, scan, np.arange(min(len(scan.points), self.points)), CRS)
+            scene = FACADES["medina"](0)
+            write_facade(facade, scene.scan(spacing=0.01 * (900_000 / self.points) ** 0.5), CRS)
         out = self.folder / "out"
         self.inputs.update(
             thincloud=("thincloud", {"INPUT": [str(cloud)], "SPACING": 0.02}),
@@ -125,7 +131,7 @@ class ProviderRuns:
         )
         self.inputs["simulateregistration"] = (
             "simulateregistration",
-            {"CONTROL": control, "TRIALS": max(self.points // 5000, 2)},
+            {"CONTROL": control, "TRIALS": max((self.points or 0) // 5000, 2)},
         )
 
     def _others(self) -> None:

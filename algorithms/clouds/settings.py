@@ -130,8 +130,20 @@ class UprightSettings:
 
 
 @dataclass(frozen=True)
+class StraySettings:
+    """Which points are far from the site."""
+
+    part_gap_m: float = judged(20.0, "Parts of a site lie nearer to each other; reflections lie farther off.")
+    stray_share: float = judged(1e-3, "A part with a smaller share of the points is left out.")
+    sparse_share: float = judged(0.02, "A part with a larger share of the points is kept however thin it is.")
+    sparse_cover: float = judged(
+        0.1, "Reflections are thin: fewer points per tile than this share of the main part's."
+    )
+
+
+@dataclass(frozen=True)
 class TileSettings:
-    """Which points are stray, and how many are kept in memory."""
+    """Which points cannot be sorted into tiles, and how many are kept in memory."""
 
     max_height_m: float = physical(
         20_000.0, "No site is so high or deep: such points are stray, or the coordinates geocentric."

@@ -41,6 +41,14 @@ class Chunk:
     scan: Optional[np.ndarray] = None
     station: Optional[np.ndarray] = None
 
+    def subset(self, rows: np.ndarray) -> "Chunk":
+        """Return some of the points, without attributes, scan and station."""
+        return Chunk(
+            self.xyz[rows],
+            None if self.intensity is None else self.intensity[rows],
+            None if self.rgb is None else self.rgb[rows],
+        )
+
 
 @dataclass(frozen=True)
 class Source(ABC):
@@ -72,6 +80,11 @@ class Source(ABC):
     def attributes(self) -> tuple[tuple[str, np.dtype], ...]:
         """Names and types of what else the chunks carry; normals are rotated with the points."""
         return ()
+
+    @property
+    def others(self) -> tuple[str, ...]:
+        """What the points have besides coordinates, intensity and colour, by the names in the file."""
+        return tuple(name for name, _ in self.attributes)
 
     @abstractmethod
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:

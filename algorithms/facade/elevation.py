@@ -75,6 +75,8 @@ class Points:
         The scan of each point, from 0.
     stations : ndarray of float64, shape (k, 3), or None
         Position of the scanner of each scan, relative to `origin`; nan where it is not known.
+    kept : ndarray of int64, shape (n,), or None
+        Positions of the points in the sequence of all points of the cloud; None if there are no others.
     """
 
     xyz: np.ndarray
@@ -83,6 +85,7 @@ class Points:
     intensity: Optional[np.ndarray]
     scan: np.ndarray
     stations: Optional[np.ndarray] = None
+    kept: Optional[np.ndarray] = None
 
     def subset(self, rows: np.ndarray) -> "Points":
         """Return some of the points, by their rows."""
@@ -92,6 +95,7 @@ class Points:
             rgb=None if self.rgb is None else self.rgb[rows],
             intensity=None if self.intensity is None else self.intensity[rows],
             scan=self.scan[rows],
+            kept=rows if self.kept is None else self.kept[rows],
         )
 
 

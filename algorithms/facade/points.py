@@ -7,13 +7,18 @@ import numpy as np
 
 from ..clouds.cloud import Cloud, names_of, parts
 from ..clouds.source import Chunk
+from ..clouds.strays import stray_cells
 from ..clouds.thinning.thinning import thin_cloud
+from ..clouds.tiles.tile_store import stray_warning
 from ..errors import InputError
 from ..progress import Progress
 from .elevation import Points
 from .settings import ExtentSettings, ThinningSettings
 
 CHUNK_SIZE = 1_000_000
+
+FARTHEST_CELL = 1_000_000
+"""Numbers of three such axes fit into 64 bits."""
 
 SCANS = 1 << 32
 """A scan is numbered by its file times this, and its number within the file."""
@@ -58,7 +63,6 @@ def read_points(
         scans.append(number * SCANS + within.astype(np.int64))
         if chunk.station is not None and len(within):
             stations[int(scans[-1][0])] = chunk.station
-    _check_extent(cloud, xyz, limits)
     keys, scan = np.unique(np.concatenate(scans), return_inverse=True)
     points = Points(
         np.concatenate(xyz),
@@ -68,28 +72,55 @@ def read_points(
         scan.reshape(-1).astype(np.int32),
         _positions(keys, stations),
     )
-    if thinning is None or len(points.xyz) <= thinning.most_points:
-        return points
-    return _thinned(cloud, points, thinning, progress)
+    site = _site(cloud, points.xyz, limits, progress)
+    if thinning is not None and len(points.xyz) > thinning.most_points:
+        return _thinned(cloud, points, site, thinning, progress)
+    return points if site.all() else points.subset(np.flatnonzero(site))
 
 
-def _check_extent(cloud: Cloud, xyz: list[np.ndarray], limits: ExtentSettings) -> None:
-    """Refuse points that lie so far apart that rasters over them would not fit into memory."""
-    low = np.min([part.min(axis=0) for part in xyz if len(part)], axis=0)
-    high = np.max([part.max(axis=0) for part in xyz if len(part)], axis=0)
-    extent = float(np.max(high - low))
+def _site(cloud: Cloud, xyz: np.ndarray, limits: ExtentSettings, progress: Progress) -> np.ndarray:
+    """Return which points are no strays, and say how many are.
+
+    Raises
+    ------
+    InputError
+        If they lie so far apart that rasters over them would not fit into memory.
+    """
+    site = np.ones(len(xyz), bool)
+    if np.ptp(xyz, axis=0).max() > limits.strays.part_gap_m:
+        found, cell, counts = np.unique(
+            _cell_numbers(xyz, limits.cell_m), return_inverse=True, return_counts=True
+        )
+        cells = np.column_stack(np.unravel_index(found, (2 * FARTHEST_CELL + 1,) * 3))
+        site = ~stray_cells(cells, counts, limits.cell_m, limits.strays)[cell.ravel()]
+    for sentence in stray_warning(cloud, int((~site).sum()), len(site)):
+        progress.update(1.0, sentence)
+    extent = float(np.ptp(xyz[site], axis=0).max())
     if extent > limits.largest_m:
         raise InputError(
             f"The points of {names_of(cloud.sources)} reach over {extent:.7g} m, more than the "
             f"{limits.largest_m:.0f} m of any facade; cut the cloud to the facade, or check that its "
             "coordinates are metres."
         )
+    return site
 
 
-def _thinned(cloud: Cloud, points: Points, settings: ThinningSettings, progress: Progress) -> Points:
+def _cell_numbers(xyz: np.ndarray, edge_m: float) -> np.ndarray:
+    """Return the number of the cell of each point; what is too far away is in the outermost cells."""
+    numbers = np.zeros(len(xyz), np.int64)
+    for column in xyz.T:
+        cells = np.clip(np.floor(column / edge_m), -FARTHEST_CELL, FARTHEST_CELL).astype(np.int64)
+        numbers = numbers * (2 * FARTHEST_CELL + 1) + cells + FARTHEST_CELL
+    return numbers
+
+
+def _thinned(
+    cloud: Cloud, points: Points, site: np.ndarray, settings: ThinningSettings, progress: Progress
+) -> Points:
     spacing, kept = settings.finest_m, np.arange(len(points.xyz))
     while len(kept) > settings.most_points:
         kept = thin_cloud(cloud, spacing).kept
+        kept = kept[site[kept]]
         # Points lie on surfaces, so their number falls with the square of their distance.
         used, spacing = spacing, spacing * max(settings.coarser, np.sqrt(len(kept) / settings.most_points))
     progress.update(
@@ -97,14 +128,7 @@ def _thinned(cloud: Cloud, points: Points, settings: ThinningSettings, progress:
         f"The {len(points.xyz)} points were thinned to {len(kept)}, {1000 * used:.1f} mm apart; clip the "
         "cloud to the facade to keep more.",
     )
-    return Points(
-        points.xyz[kept],
-        points.origin,
-        None if points.rgb is None else points.rgb[kept],
-        None if points.intensity is None else points.intensity[kept],
-        points.scan[kept],
-        points.stations,
-    )
+    return points.subset(kept)
 
 
 def _positions(keys: np.ndarray, known: dict[int, np.ndarray]) -> Optional[np.ndarray]:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Optional
 
+from ..clouds.settings import StraySettings
 from ..settings import judged, physical
 from .buildings.settings import BuildingSettings
 from .colour.settings import ColourSettings
@@ -20,6 +21,8 @@ CLEAR_REGIONS, ALL_REGIONS, NO_REGIONS = range(3)
 class ExtentSettings:
     """How far the points of a facade may reach."""
 
+    strays: StraySettings = field(default_factory=StraySettings)
+    cell_m: float = judged(5.0, "Of the cells in which stray points are looked for: a part of a gap.")
     largest_m: float = physical(
         2000.0, "Longer than any facade; rasters of the search for planes then have 64 million cells at most."
     )

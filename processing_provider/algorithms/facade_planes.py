@@ -74,7 +74,7 @@ class FacadePlanesAlgorithm(Algorithm):
             {
                 "PLANES": lambda path: write_planes(path, points, found, values["DISTANCE"], cloud.crs),
                 "SEGMENTS": lambda path: write_labelled(
-                    cloud, "plane", numbers, path, log.progress.part(0.8, 1.0)
+                    cloud, "plane", numbers, path, points.kept, log.progress.part(0.8, 1.0)
                 ),
             },
             {"PLANE_COUNT": len(found.planes)},

@@ -14,6 +14,7 @@ from qgis.core import (
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterVectorLayer,
+    QgsProject,
     QgsProviderRegistry,
     QgsVectorLayer,
     QgsWkbTypes,
@@ -49,7 +50,10 @@ class OutlineLayer(Parameter):
         if self.optional and not algorithm.parameterAsString(parameters, self.name, context).strip():
             return None
         layer = self._layer(algorithm, parameters, context)
-        return self._read(layer, f"{self.name} {layer.name()}")
+        try:
+            return self._read(layer, f"{self.name} {layer.name()}")
+        finally:
+            _close(layer)
 
     def _layer(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -85,6 +89,8 @@ class ReferenceLayer(OutlineLayer):
             whole = _whole(layer)
             features = [(straight(item), item.attributeMap()) for item in whole.getFeatures()]
             drawn = drawn_reference(source, features, _wkt(whole), file_of(layer))
+            if whole is not layer:
+                _close(whole)
             if drawn:
                 return drawn
         return Reference(super()._read(layer, source), None)
@@ -100,6 +106,15 @@ def _whole(layer: QgsVectorLayer) -> QgsVectorLayer:
         return layer
     source = QgsProviderRegistry.instance().encodeUri(layer.providerType(), parts)
     return QgsVectorLayer(source, layer.name(), layer.providerType())
+
+
+def _close(layer: QgsVectorLayer) -> None:
+    """Close the file of a layer that was loaded for this run.
+
+    QGIS keeps it open until its event loop runs, which scripts do not have.
+    """
+    if QgsProject.instance().mapLayer(layer.id()) is None:
+        layer.dataProvider().reloadData()
 
 
 def _wkt(layer: QgsVectorLayer) -> str:

@@ -132,6 +132,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
         <location filename="../../algorithms/clouds/formats/e57_scan.py"/>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <location filename="../../algorithms/facade/output/elevation_layers.py"/>
@@ -541,13 +542,13 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
-        <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
+        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
+        <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -669,14 +670,29 @@
         <translation>%1 kann keine Punkte aufnehmen, die so weit auseinanderliegen; die weit entfernten Punkte entfernen oder eine Textdatei wählen.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/writing/point_selection.py"/>
-        <source>No point is left to write to %1.</source>
-        <translation>Es bleibt kein Punkt, der in %1 geschrieben werden kann.</translation>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>%1 holds what all inputs have; left out were: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
+        <translation>%1 enthält, was alle Eingaben haben; weggelassen wurden: %2. LAS oder LAZ aus LAS- oder LAZ-Dateien eines einzigen Punktformats schreiben, um alles zu behalten.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>There is no colour in %1, so the points from there are black in %2.</source>
+        <translation>In %1 gibt es keine Farbe, daher sind die Punkte von dort in %2 schwarz.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>There is no intensity in %1, so it is 0 in %2 for the points from there.</source>
+        <translation>In %1 gibt es keine Intensität, daher ist sie in %2 für die Punkte von dort 0.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>Some inputs have the seconds of a week as GPS times and others those since 1980. %1 holds them unchanged, and states the kind of %2.</source>
+        <translation>Einige Eingaben haben als GPS-Zeiten die Sekunden der Woche, andere die seit 1980. %1 enthält sie unverändert und nennt die Art von %2.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/point_selection.py"/>
-        <source>The point formats differ, so only coordinates, intensity and colour are kept.</source>
-        <translation>Die Punktformate sind verschieden; daher bleiben nur Koordinaten, Intensität und Farbe erhalten.</translation>
+        <source>No point is left to write to %1.</source>
+        <translation>Es bleibt kein Punkt, der in %1 geschrieben werden kann.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/target.py"/>

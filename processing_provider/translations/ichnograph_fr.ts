@@ -132,6 +132,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
         <location filename="../../algorithms/clouds/formats/e57_scan.py"/>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <location filename="../../algorithms/facade/output/elevation_layers.py"/>
@@ -541,13 +542,13 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
-        <translation>%1 des premières lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été lues comme points, car leur premier champ est un nom.</translation>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
-        <source>column %1</source>
-        <translation>colonne %1</translation>
+        <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
+        <translation>%1 des premières lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été lues comme points, car leur premier champ est un nom.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -669,14 +670,29 @@
         <translation>%1 ne peut pas contenir des points aussi éloignés les uns des autres ; supprimez les points lointains, ou choisissez un fichier texte.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/writing/point_selection.py"/>
-        <source>No point is left to write to %1.</source>
-        <translation>Il ne reste aucun point à écrire dans %1.</translation>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>%1 holds what all inputs have; left out were: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
+        <translation>%1 contient ce que toutes les entrées ont ; sont omis : %2. Écrivez du LAS ou du LAZ à partir de fichiers LAS ou LAZ d’un seul format de points pour tout garder.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>There is no colour in %1, so the points from there are black in %2.</source>
+        <translation>Il n’y a pas de couleur dans %1, les points qui en viennent sont donc noirs dans %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>There is no intensity in %1, so it is 0 in %2 for the points from there.</source>
+        <translation>Il n’y a pas d’intensité dans %1, elle est donc 0 dans %2 pour les points qui en viennent.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/writing/losses.py"/>
+        <source>Some inputs have the seconds of a week as GPS times and others those since 1980. %1 holds them unchanged, and states the kind of %2.</source>
+        <translation>Certaines entrées ont comme temps GPS les secondes de la semaine, d’autres celles depuis 1980. %1 les contient inchangés et indique le type de %2.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/point_selection.py"/>
-        <source>The point formats differ, so only coordinates, intensity and colour are kept.</source>
-        <translation>Les formats de points diffèrent ; seules les coordonnées, l&#x27;intensité et la couleur sont donc conservées.</translation>
+        <source>No point is left to write to %1.</source>
+        <translation>Il ne reste aucun point à écrire dans %1.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/target.py"/>

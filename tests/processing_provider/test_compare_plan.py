@@ -1,6 +1,7 @@
 """`compareplan`, run as scripts, models and the command line run it."""
 
 import json
+from pathlib import Path
 
 import fiona
 import pytest
@@ -10,6 +11,7 @@ from rasterio.crs import CRS
 from shapely.affinity import translate
 from shapely.geometry import LineString, box, mapping, shape
 
+OPEN_FILES = Path("/proc/self/fd")
 X, Y = 412300.0, 5812300.0
 WALLS = [box(X, Y, X + 8, Y + 0.5), box(X + 7.5, Y + 0.5, X + 8, Y + 6)]
 
@@ -216,3 +218,13 @@ def test_a_layer_of_the_project_may_be_named(run, layers, tmp_path):
         result = run("compareplan", WALLS=layers["WALLS"], REFERENCE=reference, ERRORS=errors, REPORT=None)
         assert result["COMPLETENESS"] == 1
     QgsProject.instance().clear()
+
+
+@pytest.mark.skipif(not OPEN_FILES.is_dir(), reason="open files are counted as Linux shows them")
+def test_files_are_closed_after_a_run_without_an_event_loop(run, layers, tmp_path):
+    def open_files():
+        run("compareplan", **layers, ERRORS=str(tmp_path / "errors.shp"), REPORT=None)
+        return len(list(OPEN_FILES.iterdir()))
+
+    open_files()
+    assert open_files() == open_files()

@@ -31,6 +31,9 @@ POSITIONS = Selection.base() | Selection.Z | Selection.CLASSIFICATION | Selectio
 LOW_NOISE, HIGH_NOISE = 7, 18
 """Classes of the LAS specification; the second one of the newer point formats only."""
 
+RETURNS = ("return_number", "number_of_returns")
+"""Dimensions that are 0 or 1 where nothing else is known."""
+
 
 @dataclass(frozen=True)
 class LasSource(Source):
@@ -48,6 +51,8 @@ class LasSource(Source):
     scales, offsets : ndarray of float64, shape (3,)
     colour_factor : int
         257 for 8-bit colour, else 1.
+    dimensions : tuple of str
+        The dimensions besides coordinates, intensity and colour that hold anything in the sampled points.
     """
 
     point_count: int
@@ -55,6 +60,7 @@ class LasSource(Source):
     scales: np.ndarray
     offsets: np.ndarray
     colour_factor: int
+    dimensions: tuple[str, ...]
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "LasSource":
@@ -95,7 +101,13 @@ class LasSource(Source):
             scales=header.scales,
             offsets=header.offsets,
             colour_factor=257 if brightest < 256 else 1,
+            dimensions=_dimensions(sample, header.point_format),
         )
+
+    @property
+    def others(self) -> tuple[str, ...]:
+        """See `Source.others`."""
+        return self.dimensions
 
     def chunks(self, origin: np.ndarray, progress: Progress, size: int) -> Iterator[Chunk]:
         """Yield all points in file order; see `Source.chunks`."""
@@ -197,6 +209,17 @@ def _extra(sample: np.ndarray, point_format: laspy.PointFormat) -> dict[str, np.
         for item in point_format.extra_dimensions
         if sample[item.name].ndim == 1
     }
+
+
+def _dimensions(sample: np.ndarray, point_format: laspy.PointFormat) -> tuple[str, ...]:
+    """Return the names of the dimensions besides coordinates, intensity and colour that are not empty."""
+    records = laspy.PackedPointRecord(sample, point_format)
+    common = {"X", "Y", "Z", "intensity", "red", "green", "blue"}
+    return tuple(
+        name
+        for name in point_format.dimension_names
+        if name not in common and np.any(~np.isin(records[name], (0, 1) if name in RETURNS else 0))
+    )
 
 
 def _coarse_scale(

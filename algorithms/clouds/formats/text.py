@@ -73,6 +73,11 @@ class TextSource(Source):
         )
 
     @property
+    def others(self) -> tuple[str, ...]:
+        """See `Source.others`."""
+        return self.layout.others
+
+    @property
     def rows(self) -> RowParser:
         """What makes numbers of lines."""
         return RowParser(self.path, self.layout)

@@ -45,6 +45,8 @@ class Layout:
     middle : ndarray of float64, shape (3,)
         Median of the first coordinates (m).
     warnings : tuple of str
+    others : tuple of str
+        The columns that are not read, by their numbers from 1.
     """
 
     encoding: str
@@ -55,6 +57,7 @@ class Layout:
     announced: Optional[int]
     middle: np.ndarray
     warnings: tuple[str, ...]
+    others: tuple[str, ...] = ()
 
 
 def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
@@ -95,6 +98,11 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
             *_converted(path, header.units),
             *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
             *_taken(path, marked),
+        ),
+        others=tuple(
+            f"column {column + 1}"
+            for column in range(width)
+            if column not in columns.used and any(row[column] for row in rows)
         ),
     )
 

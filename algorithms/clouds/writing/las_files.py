@@ -138,6 +138,12 @@ def rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, path
             points[name] = stored(points[name] * scale + shift, header.scales[axis], path)
 
 
+def widen_colour(points: np.ndarray, source: LasSource) -> None:
+    """Bring the colours of raw records of `source`, which are changed, to 16 bits."""
+    for name in ("red", "green", "blue"):
+        points[name] *= source.colour_factor
+
+
 def stored(values: np.ndarray, scale: float, path: Path) -> np.ndarray:
     """Return the integers by which a LAS file stores `values`.
 

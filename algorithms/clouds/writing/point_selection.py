@@ -19,13 +19,14 @@ from .las_files import (
     common_scales,
     copied_header,
     las_points,
-    las_sources,
     las_writer,
     new_header,
     of_one_point_format,
     replace_crs,
     rescale,
+    widen_colour,
 )
+from .losses import losses, unlike_times, unlike_values
 from .target import check_target, is_text
 from .text_files import append_rows, table_of
 
@@ -65,7 +66,10 @@ def write_cloud(
     check_target(cloud, target)
     if not len(kept):
         raise NothingFoundError(f"No point is left to write to {target}.")
-    files = of_one_point_format(cloud)
+    files = () if is_text(target) else of_one_point_format(cloud)
+    doubts = (*unlike_values(cloud, target), *unlike_times(files, target)) if files else losses(cloud, target)
+    for sentence in doubts:
+        progress.update(0.0, sentence)
     with atomic_output(target) as temporary:
         if is_text(target):
             written = _write_text(cloud, kept, temporary, progress, settings)
@@ -89,11 +93,7 @@ def _kept_chunks(cloud: Cloud, kept: np.ndarray, progress: Progress, size: int) 
     for chunk in cloud.chunks(progress, size):
         rows = _rows(kept, start, len(chunk.xyz))
         start += len(chunk.xyz)
-        yield Chunk(
-            chunk.xyz[rows],
-            None if chunk.intensity is None else chunk.intensity[rows],
-            None if chunk.rgb is None else chunk.rgb[rows],
-        )
+        yield chunk.subset(rows)
 
 
 def _write_text(
@@ -121,6 +121,7 @@ def _copy_records(
     if first.crs is None and cloud.crs is not None:
         evlrs = replace_crs(header, evlrs, cloud.crs)
     header.scales = common_scales(cloud, settings)
+    depths = {source.colour_factor for source in files if source.has_rgb}
     start = written = 0
     with las_writer(path, header) as writer:
         for source, part in parts(files, progress):
@@ -128,6 +129,8 @@ def _copy_records(
                 points = records[_rows(kept, start, len(records))]
                 start += len(records)
                 rescale(points, source, header, path)
+                if len(depths) > 1 and source.has_rgb:
+                    widen_colour(points, source)
                 writer.write_points(laspy.PackedPointRecord(points, writer.header.point_format))
                 written += len(points)
         if evlrs:
@@ -139,8 +142,6 @@ def _write_las(
     cloud: Cloud, kept: np.ndarray, path: Path, progress: Progress, settings: WritingSettings
 ) -> int:
     """Write what all formats have in common."""
-    if las_sources(cloud.sources):
-        progress.update(0.0, "The point formats differ, so only coordinates, intensity and colour are kept.")
     has_rgb = any(source.has_rgb for source in cloud.sources)
     header = new_header(cloud.origin, common_scales(cloud, settings), has_rgb, cloud.crs)
     written = 0

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from affine import Affine
 
+from ...clouds.strays import stray_cells
 from ...clouds.tiles.lattice import LATTICE
 from ...clouds.tiles.tile_store import TileStore
 from ...errors import InputError
-from ...geometry.linked_parts import label_linked
 from .settings import SiteSettings
 
 
@@ -56,10 +56,7 @@ class Grid:
 def site_tiles(
     store: TileStore, settings: SiteSettings = SiteSettings()
 ) -> tuple[list[tuple[int, int]], int]:
-    """Separate the tiles of the site from those that hold stray points far away.
-
-    Tiles within the gap between parts of each other are one part of the site. A part is stray if it holds
-    hardly any of the points, or few and thinly spread.
+    """Separate the tiles of the site from those that hold stray points far away; see `clouds.strays`.
 
     Returns
     -------
@@ -70,33 +67,9 @@ def site_tiles(
     """
     # Which part is the first of the largest must not depend on the order of the points.
     counts = dict(sorted(store.counts().items()))
-    keys = np.array(list(counts))
-    reach = max(round(settings.part_gap_m / 2 / (store.edge * LATTICE)), 1)
-    blocks, member = np.unique(keys // reach, axis=0, return_inverse=True)
-    part = _connected(blocks)[member.ravel()]
-    points = np.bincount(part, weights=list(counts.values()))
-    share = points / points.sum()
-    cover = points / np.bincount(part)
-    thin = cover < settings.sparse_cover * cover[np.argmax(points)]
-    stray = ((share < settings.sparse_share) & thin) | (share < settings.stray_share)
-    stray[np.argmax(points)] = False
-    kept = ~stray[part]
-    left_out = sum(n for n, keep in zip(counts.values(), kept) if not keep)
-    return [tuple(key) for key in keys[kept].tolist()], left_out + store.stray_count
-
-
-def _connected(blocks: np.ndarray) -> np.ndarray:
-    """Label blocks (n, 2) so that those that touch, by an edge or a corner, have one label."""
-    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
-    pairs = [
-        (i, number[x + dx, y + dy])
-        for (x, y), i in number.items()
-        for dx in (-1, 0, 1)
-        for dy in (-1, 0, 1)
-        if (x + dx, y + dy) in number
-    ]
-    first, second = np.array(pairs).T
-    return label_linked(first, second, len(blocks))
+    keys, held = np.array(list(counts)), np.array(list(counts.values()))
+    stray = stray_cells(keys, held, store.edge * LATTICE, settings.strays)
+    return [tuple(key) for key in keys[~stray].tolist()], int(held[stray].sum()) + store.stray_count
 
 
 def make_grid(

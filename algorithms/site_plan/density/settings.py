@@ -1,7 +1,8 @@
 """The settings of the density image: what a person may doubt, each with its reason."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from ...clouds.settings import StraySettings
 from ...settings import judged, physical
 
 
@@ -9,12 +10,7 @@ from ...settings import judged, physical
 class SiteSettings:
     """Which points belong to the site, and how large it may be."""
 
-    part_gap_m: float = judged(20.0, "Parts of a site lie nearer to each other; reflections lie farther off.")
-    stray_share: float = judged(1e-3, "A part with a smaller share of the points is left out.")
-    sparse_share: float = judged(0.02, "A part with a larger share of the points is kept however thin it is.")
-    sparse_cover: float = judged(
-        0.1, "Reflections are thin: fewer points per tile than this share of the main part's."
-    )
+    strays: StraySettings = field(default_factory=StraySettings)
     most_pixels: int = physical(100_000_000, "A square kilometre at 10 cm; it takes about 8 GB of memory.")
     smallest_pixel_m: float = physical(1e-3, "No scan is denser.")
     largest_pixel_m: float = physical(10.0, "Larger pixels hold no wall.")

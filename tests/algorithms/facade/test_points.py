@@ -7,6 +7,7 @@ from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.facade.points import read_points
 from ichnograph.algorithms.facade.settings import ThinningSettings
+from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
@@ -43,6 +44,19 @@ def test_points_that_reach_farther_than_any_facade_are_refused_before_rasters_ar
     path.write_text("".join(f"{x} 0.5 {z}.5\n" for x in ("0.5", "10000.5") for z in range(10)))
     with pytest.raises(InputError, match="reach over 10000 m, more than the 2000 m of any facade"):
         read_points(open_cloud([path]))
+
+
+@pytest.mark.parametrize("far", [(1e6, 0, 0), (0, 0, -5e4), (1e300, 0, 0), (30, 0, 0)])
+def test_a_single_point_far_away_is_left_out_and_said(tmp_path, far):
+    wall = [(x / 50, 0.5, z / 50) for x in range(60) for z in range(20)]
+    path = tmp_path / "a.xyz"
+    np.savetxt(path, [*wall[:7], far, *wall[7:]], "%.3f")
+    said = []
+    points = read_points(open_cloud([path]), Progress(lambda fraction, text: said.append(text)))
+
+    np.testing.assert_allclose(points.xyz + points.origin, wall)
+    assert len(points.scan) == len(wall)
+    assert "a.xyz: 1 of 1201 points lie far away from the site and are left out." in said
 
 
 def test_a_file_without_colour_or_intensity_has_none(tmp_path):
