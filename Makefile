@@ -157,6 +157,10 @@ streets: setup  ## Print how well openings are found and measured in simulated s
 facade-cuts: setup  ## Print how far the openings of a facade depend on what else is in its cloud (CLOUDS=)
 	$(RUN) -m ichnograph.benchmarks.facade_cuts $(CLOUDS)
 
+.PHONY: facade-speed
+facade-speed: setup  ## Print how long facades of a million points take, by stage, and how much memory
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.facade_speed
+
 facade-peers: setup  ## Print how long a facade takes, and how planes and outlines compare with other tools
 	$(RUN_PEERS) -m ichnograph.benchmarks.facade_peers
 

@@ -1,6 +1,7 @@
 """The measurement of a facade: from the points of a scan to an elevation."""
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Optional
 
@@ -80,24 +81,29 @@ def measure_facade(
     scene = Scene(frame.local(points.xyz, points.origin), segmentation.labels)
     side = segmentation.side
     progress.update(0.2, _facing(frame, side))
-    states = make_states(
-        scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
-    )
-    regions = divide_at_floors(find_regions(states, settings.openings), states, settings.openings.floors)
-    openings = fill_regions(states, regions, settings.openings.content)
-    openings = with_niches(states, openings, points, settings.openings.niches)
-    progress.update(0.3, "Triangulating the wall")
-    rows = np.flatnonzero(segmentation.labels == 1)
-    wall = make_surface(scene.uvw, rows, settings, progress.part(0.3, 0.5))
+    with ThreadPoolExecutor(1) as pool:
+        # The wall takes longest, most of it without the lock of Python, and is not needed before the borders
+        # of the openings are traced.
+        rows = np.flatnonzero(segmentation.labels == 1)
+        found = pool.submit(make_surface, scene.uvw, rows, settings)
+        states = make_states(
+            scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
+        )
+        regions = divide_at_floors(find_regions(states, settings.openings), states, settings.openings.floors)
+        openings = fill_regions(states, regions, settings.openings.content)
+        openings = with_niches(states, openings, points, settings.openings.niches)
+        progress.update(0.25, "Tracing borders")
+        traced = []
+        for item in opening_details(scene, states, openings, settings):
+            traced.append(item)
+            progress.update(0.25 + 0.1 * len(traced) / len(openings))
+        progress.update(0.35, "Triangulating the wall")
+        wall = found.result()
     progress.update(
-        0.5, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
+        0.6, f"The wall has points {1000 * wall.spacing:.1f} mm apart; alpha is {wall.alpha:.4f} m."
     )
     coloured = _coloured(points, wall, settings, progress)
-    progress.update(0.7, "Tracing borders")
-    traced = []
-    for item in opening_details(scene, states, openings, settings):
-        traced.append(item)
-        progress.update(0.7 + 0.1 * len(traced) / len(openings))
+    progress.update(0.75)
     empty = stand_ins(openings, wall.spacing)
     traced += coloured_details(scene, wall, coloured, empty, settings)
     projections = _projections(segmentation, settings)
@@ -128,7 +134,7 @@ def _coloured(points: Points, wall: Surface, settings: FacadeSettings, progress:
     looks = _appearance(points, points.rgb[wall.rows], wall, settings, progress)
     coloured = find_coloured(wall.mesh, wall.linked, wall.sizes, looks, settings)
     progress.update(
-        0.65,
+        0.7,
         f"{coloured.regions} regions of one colour (SEED_VARIANCE {coloured.variance:.0f}) are "
         f"{coloured.surfaces} surfaces.",
     )
@@ -146,13 +152,13 @@ def _appearance(
     low, high = relative.levels.min(), relative.levels.max()
     if high > limits.unequal * low:
         progress.update(
-            0.48,
+            0.62,
             f"The intensities of the {len(relative.levels)} scans have different levels ({low:.0f} to "
             f"{high:.0f}), so each scan is scaled by its own.",
         )
     threshold = relative.threshold if settings.intensity is None else settings.intensity
     progress.update(
-        0.5, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
+        0.65, f"Intensities that differ by less than {threshold:.3f} of the wall's are one surface."
     )
     return Appearance(rgb, relative.values, threshold)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
+import pandas as pd
 from shapely.affinity import translate
 from shapely.geometry.base import BaseGeometry
 
@@ -143,4 +144,9 @@ def select_facade(
 
 def _in_plan(xyz: np.ndarray, size: float) -> np.ndarray:
     """Return the middles of the squares of `size` (m) that hold points."""
-    return (np.unique(np.floor(xyz[:, :2] / size).astype(np.int64), axis=0) + 0.5) * size
+    cells = np.floor(xyz[:, :2] / size).astype(np.int64)
+    corner = cells.min(axis=0)
+    columns, rows = (cells - corner).T
+    height = rows.max() + 1
+    held = np.sort(pd.unique(columns * height + rows))
+    return (np.stack([held // height, held % height], axis=1) + corner + 0.5) * size

@@ -3,13 +3,17 @@
 from collections.abc import Sequence
 
 import numpy as np
+from shapely import wkb
 from shapely.affinity import translate
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
-from shapely.ops import unary_union
+from shapely.ops import polygonize, unary_union
 from shapely.validation import make_valid
 
 from .settings import BridgeSettings
+
+LITTLE_ENDIAN, LINESTRING, MULTILINESTRING = 1, 2, 5
+"""Codes of well-known binary."""
 
 
 def polygons_between(
@@ -38,6 +42,19 @@ def polygons_between(
     whole = made_valid(translate(shape, *origin)).intersection(within)
     parts = _joined(whole, settings)
     return parts[:1] + [part for part in parts[1:] if part.length >= settings.shortest_m]
+
+
+def faces_of(segments: np.ndarray) -> list[Polygon]:
+    """Return the faces between segments, shape (k, 2, 2), which meet at their ends only."""
+    if not len(segments):
+        return []
+    # As bytes (WKB), because shapely would make a Python object of each line.
+    head = [("order", "u1"), ("kind", "<u4"), ("count", "<u4")]
+    whole, lines = np.empty(1, head), np.empty(len(segments), [*head, ("ends", "<f8", 4)])
+    for part, kind, count in ((whole, MULTILINESTRING, len(segments)), (lines, LINESTRING, 2)):
+        part["order"], part["kind"], part["count"] = LITTLE_ENDIAN, kind, count
+    lines["ends"] = segments.reshape(-1, 4)
+    return list(polygonize([wkb.loads(whole.tobytes() + lines.tobytes())]))
 
 
 def made_valid(geometry: BaseGeometry) -> BaseGeometry:

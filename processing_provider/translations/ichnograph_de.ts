@@ -1399,6 +1399,11 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
+        <source>Tracing borders</source>
+        <translation>Ränder werden verfolgt</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/measurement.py"/>
         <source>Triangulating the wall</source>
         <translation>Die Wand wird trianguliert</translation>
     </message>
@@ -1406,11 +1411,6 @@
         <location filename="../../algorithms/facade/measurement.py"/>
         <source>The wall has points %1 mm apart; alpha is %2 m.</source>
         <translation>Die Punkte der Wand haben %1 mm Abstand; Alpha ist %2 m.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/measurement.py"/>
-        <source>Tracing borders</source>
-        <translation>Ränder werden verfolgt</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
@@ -1835,18 +1835,19 @@
         <translation>%1 kann nicht geschrieben werden (%2); einen anderen Namen oder Ordner wählen.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/progress.py"/>
-        <location filename="../../processing_provider/interruption.py"/>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
+        <location filename="../../algorithms/geometry/polygons.py"/>
         <location filename="../../algorithms/raster.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../processing_provider/algorithms/simulate_registration.py"/>
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>count</source>
         <translation>Anzahl</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/progress.py"/>
+        <location filename="../../processing_provider/interruption.py"/>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/raster.py"/>

@@ -1399,6 +1399,11 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
+        <source>Tracing borders</source>
+        <translation>Suivi des bords</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/measurement.py"/>
         <source>Triangulating the wall</source>
         <translation>Triangulation du mur</translation>
     </message>
@@ -1406,11 +1411,6 @@
         <location filename="../../algorithms/facade/measurement.py"/>
         <source>The wall has points %1 mm apart; alpha is %2 m.</source>
         <translation>Les points du mur sont espacés de %1 mm ; alpha vaut %2 m.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/facade/measurement.py"/>
-        <source>Tracing borders</source>
-        <translation>Suivi des bords</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
@@ -1835,18 +1835,19 @@
         <translation>%1 ne peut pas être écrit (%2) ; choisissez un autre nom ou dossier.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/progress.py"/>
-        <location filename="../../processing_provider/interruption.py"/>
-        <source>Cancelled.</source>
-        <translation>Annulé.</translation>
-    </message>
-    <message>
+        <location filename="../../algorithms/geometry/polygons.py"/>
         <location filename="../../algorithms/raster.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../processing_provider/algorithms/simulate_registration.py"/>
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>count</source>
         <translation>nombre</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/progress.py"/>
+        <location filename="../../processing_provider/interruption.py"/>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
     </message>
     <message>
         <location filename="../../algorithms/raster.py"/>

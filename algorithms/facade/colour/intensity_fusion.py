@@ -89,11 +89,8 @@ def fuse_by_soft_borders(
 
 def components(mesh: Mesh, linked: np.ndarray, labels: np.ndarray) -> np.ndarray:
     """Return the number, from 0, of the connected piece with one label that contains each point."""
-    first, second = mesh.edges[linked].T
-    same = labels[first] == labels[second]
-    size = len(labels)
-    links = coo_matrix((np.ones(same.sum(), np.int8), (first[same], second[same])), shape=(size, size))
-    return connected_components(links, directed=False)[1]
+    first, second = mesh.edges.T
+    return mesh.pieces(linked & (labels[first] == labels[second]))
 
 
 def largest_first(labels: np.ndarray, weights: Optional[np.ndarray] = None) -> np.ndarray:

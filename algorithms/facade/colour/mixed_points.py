@@ -3,15 +3,15 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...geometry.triangulation import Mesh
+from ...geometry.triangulation import Links, Mesh
+from ...kernels import kernel
 from .appearance import Appearance
-from .intensity_fusion import components
 from .settings import ColourSettings
 
 
 def divide_at_half(
     mesh: Mesh,
-    linked: np.ndarray,
+    links: Links,
     looks: Appearance,
     inside: np.ndarray,
     spacing: float,
@@ -29,8 +29,8 @@ def divide_at_half(
     ----------
     mesh : Mesh
         Of n points.
-    linked : ndarray of bool, shape (k,)
-        Its edges between neighbours.
+    links : tuple of ndarray
+        The neighbours of its points, as `Mesh.neighbours` returns them.
     looks : Appearance
         Of the n points.
     inside : ndarray of bool, shape (n,)
@@ -41,7 +41,7 @@ def divide_at_half(
     settings : ColourSettings
     """
     for _ in range(settings.mixed.rounds):
-        divided = _divide_once(mesh, linked, looks, inside, spacing, colour, settings)
+        divided = _divide_once(mesh, links, looks, inside, spacing, colour, settings)
         if np.array_equal(divided, inside):
             break
         inside = divided
@@ -50,7 +50,7 @@ def divide_at_half(
 
 def _divide_once(
     mesh: Mesh,
-    linked: np.ndarray,
+    links: Links,
     looks: Appearance,
     inside: np.ndarray,
     spacing: float,
@@ -58,9 +58,7 @@ def _divide_once(
     settings: ColourSettings,
 ) -> np.ndarray:
     mixed, compared = settings.mixed, settings.mixed.compared
-    first, second = mesh.edges[linked].T
-    across = inside[first] != inside[second]
-    contacts = mesh.points[np.unique(np.concatenate([first[across], second[across]]))]
+    contacts = mesh.points[_contacts(*links, np.flatnonzero(inside), inside)]
     if not len(contacts):
         return inside
     band = max(mixed.band_spacings * spacing, mixed.beam_m)
@@ -78,7 +76,7 @@ def _divide_once(
     if looks.relative is not None:
         least = settings.intensity.clear * looks.threshold
         divided[near] = _share(looks.relative[:, None], near, *sides, least, divided[near])
-    return _joined(mesh, linked, divided, inside)
+    return _largest_piece(*links, np.flatnonzero(divided), divided, inside)
 
 
 def _nearest(mesh: Mesh, known: np.ndarray, asked: np.ndarray, count: int) -> np.ndarray:
@@ -102,8 +100,42 @@ def _share(
     return np.where(squared > least**2, shares > 0.5, otherwise)
 
 
-def _joined(mesh: Mesh, linked: np.ndarray, divided: np.ndarray, inside: np.ndarray) -> np.ndarray:
-    """Return the largest piece of the detail; specks beyond its border do not belong to it."""
-    pieces = components(mesh, linked, divided)
-    counts = np.bincount(pieces[divided & inside], minlength=pieces.max() + 1)
-    return divided & (pieces == np.argmax(counts))
+@kernel
+def _contacts(starts: np.ndarray, neighbours: np.ndarray, rows: np.ndarray, inside: np.ndarray) -> np.ndarray:
+    """Return the points of either side that have a neighbour on the other one; `rows` are those inside."""
+    touching = np.zeros(len(inside), np.bool_)
+    for row in rows:
+        for link in range(starts[row], starts[row + 1]):
+            if not inside[neighbours[link]]:
+                touching[row] = touching[neighbours[link]] = True
+    return np.flatnonzero(touching)
+
+
+@kernel
+def _largest_piece(
+    starts: np.ndarray, neighbours: np.ndarray, rows: np.ndarray, divided: np.ndarray, inside: np.ndarray
+) -> np.ndarray:
+    """Return the piece of the divided detail, whose `rows` are given, with most points that were inside.
+
+    Specks beyond its border do not belong to it.
+    """
+    pieces, waiting = np.zeros(len(divided), np.int32), np.empty(len(rows), np.int64)
+    piece, best, most = 0, 0, 0
+    for row in rows:
+        if pieces[row]:
+            continue
+        piece += 1
+        pieces[row], waiting[0] = piece, row
+        done, found, held = 0, 1, 0
+        while done < found:
+            point = waiting[done]
+            done += 1
+            held += inside[point]
+            for link in range(starts[point], starts[point + 1]):
+                other = neighbours[link]
+                if divided[other] and not pieces[other]:
+                    pieces[other], waiting[found] = piece, other
+                    found += 1
+        if held > most:
+            best, most = piece, held
+    return divided & (pieces == best)

@@ -153,11 +153,13 @@ def _medians(
     for low, high in strips:
         medians = np.full((count, values.shape[1]), np.nan)
         inside = np.flatnonzero((distances > low) & (distances < high))
-        inside = inside[np.argsort(stations[inside], kind="stable")]
-        numbers, starts, counts = np.unique(stations[inside], return_index=True, return_counts=True)
-        for number, start, size in zip(numbers, starts, counts):
-            if size >= settings.fewest_points:
-                medians[number] = np.median(values[inside[start : start + size]], axis=0)
+        counts = np.bincount(stations[inside], minlength=count)
+        enough = counts >= settings.fewest_points
+        firsts = (np.cumsum(counts) - counts)[enough]
+        low_half, high_half = firsts + (counts[enough] - 1) // 2, firsts + counts[enough] // 2
+        for channel in range(values.shape[1]):
+            ranked = values[inside[np.lexsort((values[inside, channel], stations[inside]))], channel]
+            medians[enough, channel] = 0.5 * (ranked[low_half] + ranked[high_half])
         found.append(medians)
     both = np.isfinite(found[0][:, 0]) & np.isfinite(found[1][:, 0]) if count else np.zeros(0, bool)
     return _Stations(*(medians[both] for medians in found))

@@ -118,7 +118,9 @@ def _extent(uvw: np.ndarray, wall: np.ndarray, settings: OpeningSettings) -> np.
 def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
     """Return the usual spacing of the points of a wall (m)."""
     side = settings.states.square_m
-    counts = np.unique(np.floor(uv / side).astype(np.int64), axis=0, return_counts=True)[1]
+    squares = np.floor(uv / side).astype(np.int64)
+    columns, rows = (squares - squares.min(axis=0)).T
+    counts = np.unique(rows * (columns.max() + 1) + columns, return_counts=True)[1]
     # Squares at the border of the wall are not full.
     full = counts[counts >= settings.states.fullest * np.median(counts)]
     return float(side / np.sqrt(np.median(full)))

@@ -3,9 +3,9 @@
 from typing import Optional
 
 import numpy as np
-from shapely.geometry import MultiLineString, MultiPolygon, Point
-from shapely.ops import polygonize
+from shapely.geometry import MultiPolygon, Point
 
+from ...geometry.polygons import faces_of
 from ...geometry.triangulation import Mesh
 from .settings import OutlineSettings
 
@@ -44,11 +44,9 @@ def outline_of(mesh: Mesh, kept: np.ndarray) -> MultiPolygon:
     boundary = mesh.points[mesh.edges[single]]
     middles = mesh.points[triangles[owners[single]]].mean(axis=1)
     # A face is filled by triangles entirely or not at all, so one beside its ring decides.
-    beside = {
-        frozenset(map(tuple, edge)): Point(middle)
-        for edge, middle in zip(boundary.tolist(), middles.tolist())
-    }
-    faces = polygonize(MultiLineString(list(boundary)))
+    beside = dict(zip(map(tuple, boundary.sum(axis=1).tolist()), middles))
     return MultiPolygon([
-        face for face in faces if face.contains(beside[frozenset(face.exterior.coords[:2])])
+        face
+        for face in faces_of(boundary)
+        if face.contains(Point(beside[tuple(np.sum(face.exterior.coords[:2], axis=0))]))
     ])  # fmt: skip

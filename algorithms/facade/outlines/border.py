@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.ndimage import binary_dilation
 from scipy.spatial import cKDTree
-from shapely.geometry import MultiLineString, Polygon
-from shapely.ops import polygonize
+from shapely.geometry import Polygon
 
+from ...geometry.polygons import faces_of
 from ...geometry.triangulation import Mesh, triangulate
 from .settings import BorderSettings
 
@@ -219,6 +219,5 @@ def _ring(mesh: Mesh, mixed: np.ndarray, crossings: np.ndarray) -> Polygon:
     crossed = mixed[mesh.sides]
     sides = mesh.sides[crossed.sum(axis=1) == 2]
     pairs = sides[mixed[sides]].reshape(-1, 2)
-    faces = list(polygonize(MultiLineString(list(crossings[pairs]))))
-    rings = [Polygon(face.exterior) for face in faces]
+    rings = [Polygon(face.exterior) for face in faces_of(crossings[pairs])]
     return max(rings, key=lambda ring: ring.area, default=Polygon())

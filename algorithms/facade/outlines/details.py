@@ -77,7 +77,7 @@ def coloured_details(
     for number in range(1, int(coloured.labels.max(initial=0)) + 1):
         chosen = divide_at_half(
             surface.mesh,
-            surface.linked,
+            surface.links,
             looks,
             (coloured.labels == number) & (surface.sizes > 0),
             surface.spacing,

@@ -1,13 +1,13 @@
 """The points of one plane as a surface: their neighbours, their noise and their outline."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from shapely.geometry import MultiPolygon, Polygon
 from skimage.measure import points_in_poly
 
-from ...geometry.triangulation import Mesh, triangulate
-from ...progress import Progress
+from ...geometry.triangulation import Links, Mesh, triangulate
 from ..settings import FacadeSettings
 from .alpha_shape import alpha_of, outline_of
 from .denoising import remove_noise
@@ -40,6 +40,11 @@ class Surface:
     outline: MultiPolygon
     alpha: float
 
+    @cached_property
+    def links(self) -> Links:
+        """The neighbours of its points along the edges that join neighbours."""
+        return self.mesh.neighbours(self.linked)
+
     @property
     def area_of_point(self) -> float:
         """Median area that a point represents (m2)."""
@@ -52,12 +57,7 @@ class Surface:
         return float(np.median(self.mesh.spacings[np.isfinite(self.mesh.spacings)]))
 
 
-def make_surface(
-    uvw: np.ndarray,
-    rows: np.ndarray,
-    settings: FacadeSettings = FacadeSettings(),
-    progress: Progress = Progress(),
-) -> Surface:
+def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = FacadeSettings()) -> Surface:
     """Return the surface of the points of a plane, without noise.
 
     Parameters
@@ -67,11 +67,9 @@ def make_surface(
         Of the points of the plane.
     settings : FacadeSettings
         delta, eta, the number of rounds, and alpha.
-    progress : Progress
     """
     rows = rows[np.lexsort(uvw[rows, :2].T)]
     mesh = triangulate(uvw[rows, :2])
-    progress.update(0.4)
     if settings.alpha_m is None:
         alphas = alpha_of(mesh, settings.outlines)
     else:
@@ -83,7 +81,6 @@ def make_surface(
         settings.noise_iterations,
         settings.outlines.noise_rings,
     )
-    progress.update(0.7)
     kept = (mesh.circumradii <= alphas) & clean[mesh.triangles].all(axis=1)
     sizes = np.bincount(mesh.triangles[kept].ravel(), np.repeat(mesh.areas[kept], 3) / 3, len(rows))
     alpha = float(np.median(alphas)) if len(alphas) else 0.0

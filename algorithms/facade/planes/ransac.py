@@ -110,7 +110,7 @@ def _search(
             continue
         for axis in range(3):
             normal[axis] /= length
-        score = _score(points, normals, reach, least_cosine, normal, a)
+        score = _score(points, normals, reach, least_cosine, normal, a, best)
         if score > best:
             best = score
             best_normal[:] = normal
@@ -156,15 +156,22 @@ def _score(
     least_cosine: float,
     normal: np.ndarray,
     anchor: np.ndarray,
+    best: float,
 ) -> float:
-    """Return the sum of the weights of the points within reach of a plane."""
-    score = 0.0
-    for point in range(len(points)):
+    """Return the sum of the weights of the points within reach of a plane; less if not above `best`."""
+    score, size = 0.0, len(points)
+    for point in range(size):
+        # Each point adds at most 1; another 1 is more than rounding adds.
+        if score + (size - point) + 1 < best:
+            break
         height, cosine = 0.0, 0.0
         for axis in range(3):
             height += (points[point, axis] - anchor[axis]) * normal[axis]
-            cosine += normals[point, axis] * normal[axis]
         share = height / reach
-        if abs(share) < 1 and abs(cosine) >= least_cosine:
+        if abs(share) >= 1:
+            continue
+        for axis in range(3):
+            cosine += normals[point, axis] * normal[axis]
+        if abs(cosine) >= least_cosine:
             score += 1 - share * share
     return score

@@ -1,7 +1,8 @@
 """Outlines stay polygons where their rings cross."""
 
+import numpy as np
 import pytest
-from ichnograph.algorithms.geometry.polygons import polygons_between
+from ichnograph.algorithms.geometry.polygons import faces_of, polygons_between
 from shapely.geometry import Point, box
 
 ORIGIN = (412_000.0, 5_812_000.0)
@@ -28,6 +29,18 @@ def test_a_ring_that_crosses_itself_loses_the_loop():
     (polygon,) = polygons_between((ring,), (0, 0), AROUND)
     assert polygon.is_valid and polygon.geom_type == "Polygon"
     assert polygon.area == pytest.approx(12, abs=0.1)
+
+
+def test_segments_that_meet_at_their_ends_enclose_faces():
+    corners = np.array([(0, 0), (2, 0), (2, 1), (0, 1)], float)
+    around = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    loose = np.array([[(2, 1), (5, 5)]], float)
+    faces = faces_of(np.concatenate([around, around[:3] + 10, loose, corners[None, [0, 2]]]))
+    assert sorted(face.area for face in faces) == [1, 1]
+
+
+def test_of_no_segments_there_are_no_faces():
+    assert faces_of(np.empty((0, 2, 2))) == []
 
 
 def test_of_nothing_there_is_no_polygon():

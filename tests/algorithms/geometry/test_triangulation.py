@@ -62,6 +62,25 @@ def test_the_sides_of_all_triangles_are_all_edges():
     assert mesh.sides_of(kept).sum() == 3
 
 
+def test_pieces_are_what_the_chosen_edges_connect_by_their_first_points():
+    mesh = triangulate(lattice(6, 4, 0.1))
+    column = np.arange(24) % 6
+    chosen = (column[mesh.edges] < 2).all(axis=1) | (column[mesh.edges] > 2).all(axis=1)
+    pieces = mesh.pieces(chosen)
+
+    assert (pieces[column < 2] == 0).all()
+    np.testing.assert_array_equal(pieces[column == 2], [1, 3, 4, 5])
+    assert (pieces[column > 2] == 2).all()
+
+
+def test_a_point_with_many_edges_has_them_in_order():
+    angles = np.linspace(0, 6, 50)
+    around = STEP * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    edges = triangulate(np.concatenate([np.zeros((1, 2)), around])).edges
+    np.testing.assert_array_equal(edges[edges[:, 0] == 0, 1], np.arange(1, 51))
+    np.testing.assert_array_equal(edges, edges[np.lexsort(edges.T[::-1])])
+
+
 def test_neighbours_are_the_other_ends_of_the_chosen_edges():
     mesh = triangulate(lattice(5, 5, 0.2))
     chosen = mesh.lengths < 1.3 * STEP
