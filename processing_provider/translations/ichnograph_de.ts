@@ -1171,7 +1171,7 @@
     <message>
         <location filename="../../algorithms/evaluation/templates/plan.html"/>
         <source>median offset (m)</source>
-        <translation>mittlerer Versatz (m)</translation>
+        <translation>Median des Versatzes (m)</translation>
     </message>
     <message>
         <location filename="../../algorithms/evaluation/templates/plan.html"/>
@@ -3174,7 +3174,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
         <source>rotation (0.001 degrees)</source>
-        <translation>Drehung (0,001 Grad)</translation>
+        <translation>Drehung (0.001 Grad)</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3229,7 +3229,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>The scanner stands among them, turned at random about the vertical, at a scale from 0.1 to 10.</source>
-        <translation>Der Scanner steht zwischen ihnen, zufällig um die Lotrechte gedreht, in einem Maßstab von 0,1 bis 10.</translation>
+        <translation>Der Scanner steht zwischen ihnen, zufällig um die Lotrechte gedreht, in einem Maßstab von 0.1 bis 10.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3239,7 +3239,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>The scanner stands among them, turned at random about any axis, at a scale from 0.1 to 10.</source>
-        <translation>Der Scanner steht zwischen ihnen, zufällig um eine beliebige Achse gedreht, in einem Maßstab von 0,1 bis 10.</translation>
+        <translation>Der Scanner steht zwischen ihnen, zufällig um eine beliebige Achse gedreht, in einem Maßstab von 0.1 bis 10.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3346,7 +3346,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>, at a scale from 0.1 to 10</source>
-        <translation>, in einem Maßstab von 0,1 bis 10</translation>
+        <translation>, in einem Maßstab von 0.1 bis 10</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -4636,7 +4636,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/compare_lengths.py"/>
         <source>Compares the lengths of a schedule with tape measurements.</source>
-        <translation>Vergleicht die Längen einer Maßliste mit Messungen von Hand.</translation>
+        <translation>Vergleicht die Längen einer Maßliste mit Messungen mit dem Maßband.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_lengths.py"/>
@@ -4773,7 +4773,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>Lines with side (plan or reference), state (agrees, wrong, missing), median and largest offset, length. GeoPackage or shapefile, by extension.</source>
-        <translation>Linien mit side (plan oder reference), state (agrees, wrong, missing), mittlerem und größtem Versatz, Länge. GeoPackage oder Shapefile, je nach Endung.</translation>
+        <translation>Linien mit side (plan oder reference), state (agrees, wrong, missing), Median und Größtwert des Versatzes, Länge. GeoPackage oder Shapefile, je nach Endung.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
@@ -4803,7 +4803,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>Median offset of the reference that was found (m)</source>
-        <translation>Mittlerer Versatz der gefundenen Referenz (m)</translation>
+        <translation>Median des Versatzes der gefundenen Referenz (m)</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
@@ -4883,7 +4883,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/example_data.py"/>
         <source>Folder for 18 files, 3.5 MB.</source>
-        <translation>Ordner für 18 Dateien, 3,5 MB.</translation>
+        <translation>Ordner für 18 Dateien, 3.5 MB.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/example_data.py"/>
@@ -4908,7 +4908,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/extract_walls.py"/>
         <source>The output of &#x27;Density image from laser scans&#x27;.</source>
-        <translation>Die Ausgabe von &#x27;Dichtebild aus Laserscans&#x27;.</translation>
+        <translation>Die Ausgabe von „Dichtebild aus Laserscans“.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -5097,7 +5097,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
         <source>Folder for one text file per scan with x y z of its targets, for TARGETS of &#x27;Register scans to control points&#x27;.</source>
-        <translation>Ordner für eine Textdatei je Scan mit x y z seiner Zielmarken, für TARGETS von &#x27;Scans auf Passpunkte registrieren&#x27;.</translation>
+        <translation>Ordner für eine Textdatei je Scan mit x y z seiner Zielmarken, für TARGETS von „Scans auf Passpunkte registrieren“.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
@@ -5122,7 +5122,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
         <source>Number of targets without doubt</source>
-        <translation>Anzahl der Zielmarken ohne Zweifel</translation>
+        <translation>Anzahl der nicht zweifelhaften Zielmarken</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
@@ -5276,7 +5276,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>Identifies the control point behind each target, without names, and georeferences the scans.</source>
-        <translation>Findet zu jeder Zielmarke ohne Namen den Passpunkt und georeferenziert die Scans.</translation>
+        <translation>Findet zu jeder Zielmarke den Passpunkt, ohne Namen, und georeferenziert die Scans.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -5292,7 +5292,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>JSON file with the status and the matrix of each scan, for &#x27;Transform laser scans&#x27;.</source>
-        <translation>JSON-Datei mit Status und Matrix jedes Scans, für &#x27;Laserscans transformieren&#x27;.</translation>
+        <translation>JSON-Datei mit Status und Matrix jedes Scans, für „Laserscans transformieren“.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -5748,7 +5748,7 @@
     <message>
         <location filename="../../processing_provider/fields.py"/>
         <source>Median offset (m)</source>
-        <translation>Mittlerer Versatz (m)</translation>
+        <translation>Median des Versatzes (m)</translation>
     </message>
     <message>
         <location filename="../../processing_provider/fields.py"/>
@@ -6019,7 +6019,7 @@
     <message>
         <location filename="../../processing_provider/found_targets.py"/>
         <source>No target was found in the scans; the log says which tests failed, and how near. Pick the targets, or try &#x27;Find targets in scans&#x27; with the size of the targets.</source>
-        <translation>In den Scans wurde keine Zielmarke gefunden; das Protokoll sagt, welche Kriterien nicht erfüllt waren und wie knapp. Die Zielmarken von Hand messen oder &#x27;Zielmarken in Scans finden&#x27; mit der Größe der Zielmarken versuchen.</translation>
+        <translation>In den Scans wurde keine Zielmarke gefunden; das Protokoll sagt, welche Kriterien nicht erfüllt waren und wie knapp. Die Zielmarken von Hand messen oder „Zielmarken in Scans finden“ mit der Größe der Zielmarken versuchen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/found_targets.py"/>
@@ -6903,7 +6903,7 @@
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Of each coordinate of a picked target, before the adjustment. The statistics test whether it is right. Targets with standard deviations of their own, as &#x27;Find targets in scans&#x27; writes them, are adjusted with these; SIGMA then says only how exactly distances match.</source>
-        <translation>Jeder Koordinate einer gemessenen Zielmarke, vor der Ausgleichung. Die Statistik prüft, ob sie stimmt. Zielmarken mit eigenen Standardabweichungen, wie &#x27;Zielmarken in Scans finden&#x27; sie schreibt, werden mit diesen ausgeglichen; SIGMA sagt dann nur, wie genau Strecken übereinstimmen.</translation>
+        <translation>Jeder Koordinate einer gemessenen Zielmarke, vor der Ausgleichung. Die Statistik prüft, ob sie stimmt. Zielmarken mit eigenen Standardabweichungen, wie „Zielmarken in Scans finden“ sie schreibt, werden mit diesen ausgeglichen; SIGMA sagt dann nur, wie genau Strecken übereinstimmen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

@@ -309,7 +309,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/laz_chunks.py"/>
         <source>its compressed chunks are larger than any program writes</source>
-        <translation>ses blocs compressés sont plus grands que ceux qu&#x27;écrit tout programme</translation>
+        <translation>ses blocs compressés sont plus grands que n&#x27;en écrit aucun programme</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/laz_chunks.py"/>
@@ -513,7 +513,7 @@
     <message>
         <location filename="../../algorithms/clouds/formats/stated_crs.py"/>
         <source>%1 states a local system (%2), which ties it to no position on the earth, so it counts as none.</source>
-        <translation>%1 indique un système local (%2), qui n&#x27;est rattaché à aucune position sur la terre ; il ne compte donc pas.</translation>
+        <translation>%1 indique un système local (%2), qui n&#x27;est rattaché à aucune position sur la Terre ; il ne compte donc pas.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text.py"/>
@@ -3174,7 +3174,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
         <source>rotation (0.001 degrees)</source>
-        <translation>rotation (0,001 degré)</translation>
+        <translation>rotation (0.001 degré)</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3229,7 +3229,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>The scanner stands among them, turned at random about the vertical, at a scale from 0.1 to 10.</source>
-        <translation>Le scanner est placé parmi eux, tourné au hasard autour de la verticale, à une échelle de 0,1 à 10.</translation>
+        <translation>Le scanner est placé parmi eux, tourné au hasard autour de la verticale, à une échelle de 0.1 à 10.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3239,7 +3239,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>The scanner stands among them, turned at random about any axis, at a scale from 0.1 to 10.</source>
-        <translation>Le scanner est placé parmi eux, tourné au hasard autour d&#x27;un axe quelconque, à une échelle de 0,1 à 10.</translation>
+        <translation>Le scanner est placé parmi eux, tourné au hasard autour d&#x27;un axe quelconque, à une échelle de 0.1 à 10.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -3346,7 +3346,7 @@
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
         <source>, at a scale from 0.1 to 10</source>
-        <translation>, à une échelle de 0,1 à 10</translation>
+        <translation>, à une échelle de 0.1 à 10</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/templates/simulation.html"/>
@@ -4883,7 +4883,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/example_data.py"/>
         <source>Folder for 18 files, 3.5 MB.</source>
-        <translation>Dossier pour 18 fichiers, 3,5 Mo.</translation>
+        <translation>Dossier pour 18 fichiers, 3.5 Mo.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/example_data.py"/>
@@ -5122,7 +5122,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
         <source>Number of targets without doubt</source>
-        <translation>Nombre de cibles sans doute</translation>
+        <translation>Nombre de cibles non douteuses</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/find_targets.py"/>
@@ -5276,7 +5276,7 @@
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>Identifies the control point behind each target, without names, and georeferences the scans.</source>
-        <translation>Identifie sans nom le point d&#x27;appui de chaque cible, et géoréférence les scans.</translation>
+        <translation>Identifie le point d&#x27;appui de chaque cible, sans noms, et géoréférence les scans.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
