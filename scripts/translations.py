@@ -29,7 +29,8 @@ def main() -> int:
     sources, missing = texts(), 0
     for language in LANGUAGES:
         path = TRANSLATIONS / f"ichnograph_{language}.ts"
-        translations = {source: read(path).get(source, "") for source in sources}
+        present = read(path)
+        translations = {source: present.get(source, "") for source in sources}
         path.write_text(_catalogue(language, sources, translations), encoding="utf-8")
         compile_catalogue(path)
         for source, translation in translations.items():

@@ -16,7 +16,7 @@ from ..tiles.lattice import to_lattice
 from ..tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from .neighbour_table import choose
 
-Waiting = deque[tuple[Key, Tile, "Future[np.ndarray]"]]
+Waiting = deque[tuple[Key, Tile, Future[np.ndarray]]]
 """Tiles that are being thinned, and the rows of their chosen points."""
 
 
