@@ -215,9 +215,8 @@ def look_from_above():
         yield 1000
         picture = QGuiApplication.primaryScreen().grabWindow(0, 0, 0, 1100, 800)
         seen["clay"] = share_of_clay(picture.toImage())
-        if seen["clay"] > 0:
+        if seen["clay"] > 0.02:
             break
-    yield 2000
     QGuiApplication.primaryScreen().grabWindow(0, 0, 0, 1100, 800).save(str(FOLDER / "walls_3d.png"))
     dock.close()
 
