@@ -1,7 +1,7 @@
 # The Python of QGIS, which is the distribution's.
 PYTHON ?= /usr/bin/python3
 # The last mypy that checks against Python 3.9.
-TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.*
+TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.* flake8==7.*
 SITE_TOOLS = "sphinx>=7,<10" "myst-parser>=3,<6" "furo>=2024"
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
@@ -73,17 +73,20 @@ demo: setup  ## Simulate scans of ruins and of a facade, register them, and make
 
 test: lint suite  ## Check style and types, and run all tests
 
-suite: setup  ## Run all tests
-	$(RUN) -m pytest
+suite: setup  ## Run all tests on all cores, and then those that measure time or memory one by one
+	$(RUN_REGISTRATION) -m pytest -n auto --dist loadfile -m "not alone"
+	$(RUN_REGISTRATION) -m pytest -m alone
 
-desktop: setup  ## Install the zip into an empty profile of QGIS, and use its dialogs under a virtual screen (xvfb)
-	DESKTOP=1 $(RUN) -m pytest tests/desktop
+desktop: setup  ## Install the zip into an empty profile of QGIS, and use its dialogs under a virtual screen (PICTURES=)
+	DESKTOP=1 PICTURES=$(PICTURES) $(RUN) -m pytest tests/desktop
 
 lint: .tools/installed .plugins/ichnograph  ## Check style and types, and security as the plugin repository does
 	.tools/bin/ruff check
 	.tools/bin/ruff format --check
 	.tools/bin/mypy
 	.tools/bin/bandit -q -r algorithms processing_provider plugin.py __init__.py
+	@# The formatter puts blanks around a colon where E203 wants none.
+	.tools/bin/flake8 --max-line-length 120 --extend-ignore E203 algorithms processing_provider plugin.py __init__.py
 	@# Files that are staged to be deleted are listed but do not exist.
 	git ls-files -co --exclude-standard -z | xargs -0 -r ls -d 2>/dev/null | xargs .tools/bin/detect-secrets-hook
 
@@ -207,10 +210,11 @@ translations: setup  ## Bring the translations up to date with the texts, compil
 house-picture: setup  ## Draw docs/pictures/house.svg, the packages and their imports
 	$(RUN) -m ichnograph.scripts.house_picture docs/pictures/house.svg
 
-package:  ## Zip the last commit as QGIS installs it
+package:  ## Zip the last commit as QGIS installs it, and print its size, which must be below 5 MB
 	@mkdir -p build
 	git archive --prefix=ichnograph/ --output build/ichnograph-$(VERSION).zip HEAD
-	@echo build/ichnograph-$(VERSION).zip
+	@stat --format '%n: %s bytes' build/ichnograph-$(VERSION).zip
+	@test $$(stat --format %s build/ichnograph-$(VERSION).zip) -lt 5000000
 
 test-matrix:  ## Run the tests of the last commit in fresh Debian releases (as root, with debootstrap)
 	scripts/test-matrix

@@ -1,10 +1,11 @@
 """The styles of the outputs: saved beside the file, and set on the layer that QGIS loads."""
 
 import re
+from functools import partial
 from html import escape, unescape
 from pathlib import Path
 from string import Template
-from typing import Any, ClassVar, Optional
+from typing import Any, Callable, ClassVar, Optional
 
 from qgis.core import (
     QgsLayerTree,
@@ -12,9 +13,11 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
+    QgsProject,
     QgsRasterLayer,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtXml import QDomDocument
 from qgis.utils import iface
 
@@ -39,10 +42,11 @@ STRETCH = 2.0
 def style_of(name: str, file: Path, values: dict[str, Any]) -> str:
     """Return the style `name` as QML for the layer in `file`.
 
-    Variables of the style, like $name, get their values from `values` or, for a raster, from the file.
+    Variables of the style, like $name, get their values from `values` or from the file.
     """
     style = (STYLES / f"{name}.qml").read_text(encoding="utf-8")
-    text = Template(style).substitute(values if "$minimum" not in style else _stretch(file))
+    measured = next((measure(file) for variable, measure in MEASURES.items() if variable in style), {})
+    text = Template(style).substitute({**values, **measured})
     text = LABEL.sub(lambda found: escape(translated(unescape(found[0]))), text)
     return text.replace("</qgis>", f"{aliases_of(_fields(file))}</qgis>")
 
@@ -51,9 +55,20 @@ def _fields(file: Path) -> list[str]:
     """Return the names of the fields of a vector layer; a raster has none."""
     if file.suffix in (".tif", ".tiff"):
         return []
+    return list(_features(file).fields().names())
+
+
+def _features(file: Path) -> QgsVectorLayer:
     options = QgsVectorLayer.LayerOptions()
     options.loadDefaultStyle = False
-    return list(QgsVectorLayer(str(file), "", "ogr", options).fields().names())
+    return QgsVectorLayer(str(file), "", "ogr", options)
+
+
+def _ground(file: Path) -> dict[str, float]:
+    """Return the lowest base of walls, from which they rise on a terrain whose heights are not theirs."""
+    layer = _features(file)
+    lowest = layer.minimumValue(layer.fields().lookupField("z_base"))
+    return {"ground": lowest if isinstance(lowest, float) else 0.0}
 
 
 def _stretch(file: Path) -> dict[str, float]:
@@ -66,6 +81,10 @@ def _stretch(file: Path) -> dict[str, float]:
         "minimum": max(band.minimumValue, band.mean - STRETCH * band.stdDev),
         "maximum": min(band.maximumValue, band.mean + STRETCH * band.stdDev),
     }
+
+
+MEASURES: dict[str, Callable[[Path], dict[str, float]]] = {"$minimum": _stretch, "$ground": _ground}
+"""A variable of a style, and what finds its value, and those of its companions, in the file."""
 
 
 def show_when_loaded(
@@ -130,12 +149,15 @@ class Presenter(QgsProcessingLayerPostProcessorInterface):
         ours = [layer_id for layer_id in self.loaded.values() if layer_id]
         _stack(context.project().layerTreeRoot(), ours)
         if self.focus and iface and len(context.project().mapLayers()) <= len(self.loaded):
-            _open_on(layer)
+            # QGIS zooms to all layers once the first ones are in the canvas, which is after this.
+            QTimer.singleShot(0, partial(_open_on, layer.id(), context.project()))
 
 
-def _open_on(layer: QgsMapLayer) -> None:
-    """Zoom the canvas to a layer."""
-    canvas = iface.mapCanvas()
+def _open_on(layer_id: str, project: QgsProject) -> None:
+    """Zoom the canvas to a layer, unless it was removed."""
+    canvas, layer = iface.mapCanvas(), project.mapLayer(layer_id)
+    if not layer:
+        return
     extent = canvas.mapSettings().layerExtentToOutputExtent(layer, layer.extent())
     extent.scale(MARGIN)
     canvas.setExtent(extent)

@@ -40,6 +40,19 @@ class _FilesDefinition:
     def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
         return _literal(value)
 
+    # QGIS asks these for the history since 3.24, and would open every file as a layer of each kind.
+
+    def valueAsJsonObject(self, value: Any, context: QgsProcessingContext) -> Any:
+        return _plain(value)
+
+    def valueAsString(self, value: Any, context: QgsProcessingContext) -> tuple[str, bool]:
+        plain = _plain(value)
+        return (";".join(plain) if isinstance(plain, list) else plain or ""), True
+
+    def valueAsStringList(self, value: Any, context: QgsProcessingContext) -> tuple[list[str], bool]:
+        plain = _plain(value)
+        return (plain if isinstance(plain, list) else [plain or ""]), True
+
 
 class FileListDefinition(_FilesDefinition, QgsProcessingParameterMultipleLayers):
     """Files, and layers of the project if `kind` is not the one of files.

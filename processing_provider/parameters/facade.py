@@ -58,7 +58,7 @@ MIN_POINTS = Number(
     "MIN_POINTS",
     "Points of the smallest plane",
     "Planes with fewer points are left out. If not set: 1 % of the points of the main plane, at least 100.",
-    unit="points",
+    unit="count",
     minimum=3,
     whole=True,
 )
@@ -67,7 +67,7 @@ MAX_PLANES = Number(
     "MAX_PLANES",
     "Largest number of planes",
     "Includes the main plane. Of the others, the largest are kept.",
-    unit="planes",
+    unit="count",
     default=10,
     minimum=1,
     maximum=1000,

@@ -94,7 +94,8 @@ class Number(Parameter):
 
     @property
     def description(self) -> str:
-        return f"{self.label} ({self.unit})"
+        # A label such as `Number of planes` says what is counted.
+        return self.label if self.unit == "count" else f"{self.label} ({self.unit})"
 
     @property
     def explanation(self) -> str:

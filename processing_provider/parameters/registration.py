@@ -78,6 +78,7 @@ MAX_STD = Number(
     minimum=0.000001,
     maximum=100,
     decimals=4,
+    advanced=True,
 )
 
 MODEL = Choice(

@@ -94,7 +94,7 @@
   <renderer-3d type="vector" layer="">
     <vector-layer-3d-tiling show-bounding-boxes="0" zoom-levels-count="3"/>
     <symbol type="polygon" material_type="phong">
-      <data alt-clamping="absolute" alt-binding="centroid" height="0" extrusion-height="0" culling-mode="no-culling" invert-normals="0" add-back-faces="0" rendered-facade="3"/>
+      <data alt-clamping="relative" alt-binding="centroid" height="0" extrusion-height="0" culling-mode="no-culling" invert-normals="0" add-back-faces="0" rendered-facade="3"/>
       <material ambient="60,26,18,255" diffuse="200,120,100,255" specular="255,255,255,255" shininess="0"/>
       <data-defined-properties>
         <Option type="Map">
@@ -102,7 +102,7 @@
           <Option type="Map" name="properties">
             <Option type="Map" name="height">
               <Option type="bool" name="active" value="true"/>
-              <Option type="QString" name="expression" value="&quot;z_base&quot;"/>
+              <Option type="QString" name="expression" value="&quot;z_base&quot; - coalesce(@ground, $ground)"/>
               <Option type="int" name="type" value="3"/>
             </Option>
             <Option type="Map" name="extrusionHeight">

@@ -1839,6 +1839,8 @@
         <location filename="../../algorithms/raster.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../processing_provider/algorithms/simulate_registration.py"/>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <location filename="../../processing_provider/parameters/parameter.py"/>
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>count</source>
         <translation>Anzahl</translation>
@@ -5185,11 +5187,6 @@
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
         <source>A plan has a north arrow, an elevation has none.</source>
         <translation>Ein Grundriss hat einen Nordpfeil, eine Ansicht keinen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/plan_layout.py"/>
-        <source>Scale, 1 to</source>
-        <translation>Maßstab, 1 zu</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>

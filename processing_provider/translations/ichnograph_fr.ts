@@ -1839,6 +1839,8 @@
         <location filename="../../algorithms/raster.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
         <location filename="../../processing_provider/algorithms/simulate_registration.py"/>
+        <location filename="../../processing_provider/parameters/facade.py"/>
+        <location filename="../../processing_provider/parameters/parameter.py"/>
         <location filename="../../processing_provider/parameters/walls.py"/>
         <source>count</source>
         <translation>nombre</translation>
@@ -5185,11 +5187,6 @@
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
         <source>A plan has a north arrow, an elevation has none.</source>
         <translation>Un plan a une flèche du nord, une élévation n&#x27;en a pas.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/algorithms/plan_layout.py"/>
-        <source>Scale, 1 to</source>
-        <translation>Échelle, 1 sur</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>

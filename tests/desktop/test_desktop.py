@@ -1,6 +1,6 @@
 """The desktop of QGIS under a virtual screen: the zip in an empty profile, dialogs, layers, messages.
 
-It takes about a minute, so that `make desktop` runs it and the other tests do not.
+It takes some minutes, so that `make desktop` runs it and the other tests do not.
 """
 
 import json
@@ -10,16 +10,25 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from ichnograph.tests.processing_provider.room import CORNER, covered_points, write_las
+from ichnograph.tests.processing_provider.room import covered_points, write_las
+from PIL import Image
 
 ROOT = Path(__file__).parents[2]
-LOW, HIGH = CORNER[:2] + 1, CORNER[:2] + (7, 5)
+LIMIT = 3600
+"""Seconds; it takes three minutes, and much longer on a computer that is busy."""
 
 pytestmark = [
     pytest.mark.skipif(not os.environ.get("DESKTOP"), reason="the desktop is run by make desktop"),
     pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no virtual screen (xvfb)"),
     pytest.mark.skipif(not shutil.which("qgis"), reason="QGIS's desktop is not installed"),
 ]
+
+
+def keep_pictures(results, folder):
+    """Keep photographs for the manual, in 256 colours, as screens need no more."""
+    for name in ("siteplan", "walls_3d", "facade"):
+        picture = Image.open(results / f"{name}.png").convert("RGB")
+        picture.quantize(256).save(folder / f"desktop_{name}.png", optimize=True)
 
 
 @pytest.fixture(scope="session")
@@ -40,18 +49,32 @@ def seen(tmp_path_factory):
         "XDG_RUNTIME_DIR": str(folder / "runtime"),
         "TOUR_ZIP": str(folder / "plugin.zip"),
         "TOUR_CLOUDS": ";".join(map(str, clouds)),
-        "TOUR_FACADE": str(ROOT / "processing_provider" / "example" / "facade.laz"),
         "TOUR_FOLDER": str(folder / "results"),
     }
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24"]
     desktop = ["qgis", "--nologo", "--noversioncheck", "--profiles-path", str(folder / "profile")]
     tour = [*screen, *desktop, "--code", str(Path(__file__).with_name("tour.py"))]
-    subprocess.run(tour, env=environment, timeout=600, capture_output=True)
+    try:
+        ended = subprocess.run(tour, env=environment, timeout=LIMIT, capture_output=True, text=True)
+    except subprocess.TimeoutExpired as expired:
+        pytest.fail(f"The desktop did not end within {LIMIT} s: {expired.stdout} {expired.stderr}")
+    assert (folder / "results" / "seen.json").exists(), ended.stdout + ended.stderr
+    if os.environ.get("PICTURES"):
+        keep_pictures(folder / "results", Path(os.environ["PICTURES"]))
     return json.loads((folder / "results" / "seen.json").read_text(encoding="utf-8"))
+
+
+def run_of(seen, name):
+    return next(run for run in seen["runs"] if run["name"] == name)
 
 
 def layer_in(run, file):
     return next(layer for layer in run["layers"] if layer["source"].endswith(file))
+
+
+def said(seen, kind, cancelled):
+    """Return the texts of one kind that warn, during the cancelled run or all others."""
+    return [text for during, text in seen[kind] if (during == "cancelled") == cancelled]
 
 
 def test_the_zip_is_installed_without_an_error(seen):
@@ -60,24 +83,18 @@ def test_the_zip_is_installed_without_an_error(seen):
 
 
 def test_nothing_warns_in_the_log_or_above_the_map(seen):
-    assert seen["messages"] == ["Processing: Cancelled."]
-    assert seen["bars"] == []
+    assert said(seen, "messages", cancelled=False) == []
+    assert said(seen, "bars", cancelled=False) == []
 
 
-def run_of(seen, name):
-    return next(run for run in seen["runs"] if run["name"] == name)
+def test_a_cancelled_run_says_that_it_was_cancelled_and_no_more(seen):
+    assert said(seen, "messages", cancelled=True) == ["Processing: Cancelled."]
+    assert said(seen, "bars", cancelled=True) == []
 
 
 def test_every_run_ends_well_but_the_one_that_is_cancelled(seen):
-    ends = {run["name"]: run["succeeded"] for run in seen["runs"]}
-    assert ends == {
-        "siteplan": True,
-        "again_0": True,
-        "again_1": True,
-        "from_history": True,
-        "cancelled": False,
-        "facade": True,
-    }
+    assert [run["name"] for run in seen["runs"] if not run["succeeded"]] == ["cancelled"]
+    assert len(seen["runs"]) == 10
 
 
 def test_the_history_keeps_the_scans(seen):
@@ -103,7 +120,7 @@ def test_of_a_facade_the_elevation_lies_on_the_orthoimage(seen):
 
 
 def test_the_first_picture_has_the_walls_on_top_in_their_colours(seen):
-    first = seen["runs"][0]["layers"]
+    first = run_of(seen, "siteplan")["layers"]
     assert [layer["name"] for layer in first] == ["Walls", "Rooms", "Density image"]
     assert all(layer["visible"] for layer in first)
     assert first[0]["renderer"] == "categorizedSymbol"
@@ -111,17 +128,34 @@ def test_the_first_picture_has_the_walls_on_top_in_their_colours(seen):
 
 
 def test_the_canvas_opens_on_the_walls(seen):
-    left, bottom, right, top = seen["runs"][0]["canvas"]
-    assert left < LOW[0] and bottom < LOW[1] and right > HIGH[0] and top > HIGH[1]
-    assert right - left < 2 * (HIGH[0] - LOW[0])
+    run = run_of(seen, "siteplan")
+    (left, bottom), (right, top) = (corner.split(",") for corner in run["layers"][0]["extent"].split(" : "))
+    seen_left, seen_bottom, seen_right, seen_top = run["canvas"]
+    assert seen_left < float(left) and seen_bottom < float(bottom)
+    assert seen_right > float(right) and seen_top > float(top)
+    assert (seen_right - seen_left) * (seen_top - seen_bottom) < 4 * (
+        (float(right) - float(left)) * (float(top) - float(bottom))
+    )
 
 
-def test_layers_of_clouds_without_a_system_have_none(seen):
-    assert {layer["system"] for run in seen["runs"] for layer in run["layers"]} == {None}
+def test_layers_have_the_system_of_the_control_points_or_that_of_their_clouds(seen):
+    assert {layer["system"] for layer in run_of(seen, "siteplan")["layers"]} == {"EPSG:25833"}
+    assert {layer["system"] for layer in run_of(seen, "again_0")["layers"]} == {None}
 
 
-def test_the_report_is_in_the_results_viewer_under_its_name(seen):
-    assert seen["runs"][0]["results"] == ["Report of the site plan"]
+def test_reports_are_in_the_results_viewer_under_their_names(seen):
+    results = run_of(seen, "siteplan")["results"]
+    assert results == ["Report of the registration", "Transformations", "Report of the site plan"]
+
+
+def test_a_sheet_adds_a_layout_to_the_project_and_nothing_else(seen):
+    before, after = (run_of(seen, name) for name in ("siteplan", "planlayout"))
+    assert (before["layouts"], after["layouts"]) == ([], ["Walls 1:100"])
+    assert after["layers"] == before["layers"]
+
+
+def test_the_walls_rise_in_a_view_in_three_dimensions(seen):
+    assert seen["clay"] > 0.02, "share of the view that has the colour of lit walls"
 
 
 def test_a_second_run_into_the_same_file_shows_the_new_walls(seen):
@@ -131,4 +165,5 @@ def test_a_second_run_into_the_same_file_shows_the_new_walls(seen):
 
 
 def test_the_log_names_the_scans(seen):
-    assert all(".laz" in run["log"] for run in seen["runs"])
+    runs = [run for run in seen["runs"] if run["name"] in ("siteplan", "again_0", "again_1", "facade")]
+    assert all(".laz" in run["log"] for run in runs)

@@ -119,8 +119,13 @@ def test_a_text_list_is_not_opened_as_a_layer(algorithm, field, context, tmp_pat
     field("registerscans", "CONTROL").setParameterValue(str(path), context)
     definition = registration.parameterDefinition("CONTROL")
     assert definition.checkValueIsAcceptable(str(path), context)
-    registration.asPythonCommand({"CONTROL": str(path)}, context)
-    assert registration.validateInputCrs({"CONTROL": str(path), "TARGETS": [str(path)]}, context)
+    values = {"CONTROL": str(path), "TARGETS": [str(path), str(path)]}
+    registration.asPythonCommand(values, context)
+    assert registration.validateInputCrs(values, context)
+    if hasattr(registration, "asMap"):  # since QGIS 3.24
+        assert registration.asMap(values, context)["inputs"] == values
+        command, succeeded = registration.asQgisProcessCommand(values, context)
+        assert succeeded and command.count(f"--TARGETS={path}") == 2 and f"--CONTROL={path}" in command
 
     assert capfd.readouterr() == ("", "")
 

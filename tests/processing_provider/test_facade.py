@@ -328,6 +328,7 @@ def test_a_layer_without_shapes_along_a_facade_is_refused_and_nothing_is_written
     assert [path.name for path in tmp_path.iterdir()] == ["far.gpkg"]
 
 
+@pytest.mark.alone
 def test_a_cancel_while_the_folder_is_drawn_leaves_nothing_behind(run, building, tmp_path, feedback):
     from qgis.core import QgsProcessingException
 

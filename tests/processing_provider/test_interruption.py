@@ -8,6 +8,8 @@ import pytest
 from ichnograph.algorithms.errors import CancelledError
 from ichnograph.processing_provider.interruption import compilation_announced, interruptible
 
+pytestmark = pytest.mark.alone
+
 
 def busy(seconds):
     """Compute without ever asking whether to stop."""

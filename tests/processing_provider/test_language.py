@@ -5,6 +5,9 @@ import re
 from pathlib import Path
 
 import pytest
+from ichnograph.processing_provider.parameters.parameter import Number
+from ichnograph.scripts.provider import own_algorithms
+from ichnograph.scripts.texts import texts
 from ichnograph.tests.processing_provider.room import CORNER
 
 ENGLISH = {"the", "of", "and", "is", "are", "were", "with", "from", "which", "that", "not", "it", "by"}
@@ -59,6 +62,12 @@ def test_names_and_helps_of_all_algorithms_are_translated(language, provider):
         for item in (*fresh.parameterDefinitions(), *fresh.outputDefinitions()):
             texts += [item.description(), getattr(item, "help", str)(), *getattr(item, "options", list)()]
         assert not english_in(" ".join(texts)), algorithm.id()
+
+
+def test_units_that_are_words_are_translated(provider):
+    inputs = [item for algorithm in own_algorithms(provider) for item in algorithm.inputs]
+    units = {item.unit for item in inputs if isinstance(item, Number)}
+    assert {unit for unit in units if re.search("[a-z]{3}", unit)} - {"ppm"} <= {*texts()}
 
 
 def test_ids_are_the_same_in_all_languages(language, provider):

@@ -17,7 +17,7 @@ from ..tiles.lattice import to_lattice
 from ..tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from .neighbour_table import choose
 
-Waiting = deque[tuple[Key, Tile, "Future[tuple[np.ndarray, np.ndarray]]"]]
+Waiting = deque[tuple[Key, Tile, Future[tuple[np.ndarray, np.ndarray]]]]
 """Tiles that are being thinned, the rows of their chosen points, and those of them near other tiles."""
 
 

@@ -53,6 +53,7 @@ def test_a_laz_of_one_stream_without_chunks_is_read(tmp_path):
     assert read(path).tobytes() == points.array.tobytes()
 
 
+@pytest.mark.alone
 @pytest.mark.parametrize(
     ("field", "code", "value"),
     [
