@@ -56,6 +56,13 @@ def source(request, tmp_path):
     return source
 
 
+@pytest.mark.parametrize("size", [1, 2, 100])
+def test_positions_alone_are_those_of_the_chunks(source, size):
+    positions = np.concatenate(list(source.positions(np.ones(3), Progress(), size)))
+    np.testing.assert_array_equal(positions, np.array(POINTS) - 1)
+    assert source.expected_points in (0, len(POINTS))
+
+
 def test_an_open_file_can_be_sent_to_another_process_and_read_there_twice(source):
     sent = pickle.loads(pickle.dumps(source))
 

@@ -95,6 +95,18 @@ def test_the_cut_into_files_and_chunks_does_not_change_a_bit(tmp_path_factory, c
     np.testing.assert_array_equal(parts, whole)
 
 
+@pytest.mark.parametrize("point_format", [0, 3, 6, 7])
+@pytest.mark.parametrize("name", ["a.las", "a.laz"])
+@pytest.mark.parametrize("size", [1, 70, 1000])
+def test_positions_alone_are_the_same_as_with_all_fields(tmp_path, name, point_format, size):
+    header, points = records(300, point_format)
+    write(tmp_path / name, header, points)
+    source, origin = LasSource.open(tmp_path / name), np.array([600_000.0, 5_000_000.0, 0.0])
+    positions = np.concatenate(list(source.positions(origin, Progress(), size)))
+    np.testing.assert_array_equal(positions, read(source)[0])
+    assert source.expected_points == 300
+
+
 def test_empty_intensity_and_colour_count_as_absent(tmp_path):
     header, points = records(100)
     for name in ("intensity", "red", "green", "blue"):
