@@ -33,6 +33,7 @@ from .log import Log
 from .manual import page_url
 from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
 from .parameters.parameter import Parameter
+from .projections import projections_kept
 from .styles import MARK, show_when_loaded, style_of
 
 ICONS = Path(__file__).parent / "icons"
@@ -161,7 +162,7 @@ class Algorithm(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        with self._plain_errors(), interruptible(feedback.isCanceled):
+        with self._plain_errors(), projections_kept(), interruptible(feedback.isCanceled):
             # Only the desktop calls canExecute.
             missing = lacking(self.needs)
             if missing:
