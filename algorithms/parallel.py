@@ -4,6 +4,7 @@ import os
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from typing import Any, Callable, TypeVar
 
 Item = TypeVar("Item")
@@ -50,10 +51,20 @@ def in_order(function: Callable[[Item], Result], items: Iterable[Item]) -> Itera
     """
     workers = os.cpu_count() or 1
     waiting: deque[Future[Result]] = deque()
-    with ThreadPoolExecutor(workers) as pool:
+    with begun_only(workers) as pool:
         for item in items:
             waiting.append(pool.submit(function, item))
             if len(waiting) > WAITING * workers:
                 yield waiting.popleft().result()
         while waiting:
             yield waiting.popleft().result()
+
+
+@contextmanager
+def begun_only(workers: int) -> Iterator[ThreadPoolExecutor]:
+    """Return threads that, if the caller stops or fails, finish what they have begun and no more."""
+    pool = ThreadPoolExecutor(workers)
+    try:
+        yield pool
+    finally:
+        pool.shutdown(cancel_futures=True)

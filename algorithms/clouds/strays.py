@@ -1,8 +1,7 @@
 """Which points are far from a site: reflections, and what else no surveyor meant."""
 
-from itertools import product
-
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ..geometry.linked_parts import label_linked
 from .settings import StraySettings
@@ -13,8 +12,8 @@ def stray_cells(
 ) -> np.ndarray:
     """Return which cells of a grid hold stray points.
 
-    Cells within the gap between parts of each other are one part. A part is stray if it holds hardly any of
-    the points, or few and thinly spread.
+    Points within the gap between parts of each other belong to one part, wherever the cells begin. A part is
+    stray if it holds hardly any of the points, or few and thinly spread.
 
     Parameters
     ----------
@@ -30,7 +29,7 @@ def stray_cells(
     -------
     ndarray of bool, shape (n,)
     """
-    reach = max(round(settings.part_gap_m / 2 / edge_m), 1)
+    reach = int(np.ceil(settings.part_gap_m / 2 / edge_m))
     blocks, member = np.unique(cells // reach, axis=0, return_inverse=True)
     part = _connected(blocks)[member.ravel()]
     points = np.bincount(part, weights=counts)
@@ -43,9 +42,6 @@ def stray_cells(
 
 
 def _connected(blocks: np.ndarray) -> np.ndarray:
-    """Label blocks, shape (n, axes), so that those that touch, also by a corner, have one label."""
-    number = {tuple(block): i for i, block in enumerate(blocks.tolist())}
-    around = list(product((-1, 0, 1), repeat=blocks.shape[1]))
-    near = ((i, tuple(map(sum, zip(block, step)))) for block, i in number.items() for step in around)
-    first, second = np.array([(i, number[block]) for i, block in near if block in number]).T
+    """Label blocks of half a gap, shape (n, axes), so that points within a gap share a label."""
+    first, second = cKDTree(blocks).query_pairs(2.0, p=np.inf, output_type="ndarray").T
     return label_linked(first, second, len(blocks))

@@ -73,7 +73,7 @@ def read_points(
         _positions(keys, stations),
     )
     site = _site(cloud, points.xyz, limits, progress)
-    if thinning is not None and len(points.xyz) > thinning.most_points:
+    if thinning is not None and site.sum() > thinning.most_points:
         return _thinned(cloud, points, site, thinning, progress)
     return points if site.all() else points.subset(np.flatnonzero(site))
 
@@ -88,11 +88,12 @@ def _site(cloud: Cloud, xyz: np.ndarray, limits: ExtentSettings, progress: Progr
     """
     site = np.ones(len(xyz), bool)
     if np.ptp(xyz, axis=0).max() > limits.strays.part_gap_m:
-        found, cell, counts = np.unique(
-            _cell_numbers(xyz, limits.cell_m), return_inverse=True, return_counts=True
-        )
+        numbers = _cell_numbers(xyz, limits.cell_m)
+        found, counts = np.unique(numbers, return_counts=True)
         cells = np.column_stack(np.unravel_index(found, (2 * FARTHEST_CELL + 1,) * 3))
-        site = ~stray_cells(cells, counts, limits.cell_m, limits.strays)[cell.ravel()]
+        stray = stray_cells(cells, counts, limits.cell_m, limits.strays)
+        if stray.any():
+            site = ~stray[np.searchsorted(found, numbers)]
     for sentence in stray_warning(cloud, int((~site).sum()), len(site)):
         progress.update(1.0, sentence)
     extent = float(np.ptp(xyz[site], axis=0).max())

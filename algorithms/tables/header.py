@@ -28,11 +28,14 @@ class Header:
         The stated units of `LENGTHS`, by role.
     announced : int or None
         Number of points; None without such a line.
+    names : tuple of str
+        Of all columns, as they are written; empty without names.
     """
 
     columns: dict[str, int] = field(default_factory=dict)
     units: dict[str, str] = field(default_factory=dict)
     announced: Optional[int] = None
+    names: tuple[str, ...] = ()
 
     def factors(self, path: Path) -> tuple[float, float, float]:
         """Return how many metres the units of the coordinates are.
@@ -93,6 +96,7 @@ def read_preamble(
     units: dict[str, str] = {}
     stated = stated_unit(path, lines)
     announced = None
+    names: tuple[str, ...] = ()
     for number, line in enumerate(lines, start=1):
         fields = header_fields(line, delimiter)
         if ends_with_delimiter and len(fields) == width - 1:
@@ -105,7 +109,8 @@ def read_preamble(
         elif len(fields) == width:
             found = _named(fields, roles)
             refuse_double_names(path, fields, found, COORDINATES)
-            columns, units = (found, _units_of(fields, found)) if found else (columns, units)
+            if found:
+                columns, units, names = found, _units_of(fields, found), tuple(fields)
             if columns and not found and _is_line_of_units(fields):
                 units = {role: as_unit(fields[columns[role]]) or "m" for role in LENGTHS if role in columns}
                 continue
@@ -129,7 +134,7 @@ def read_preamble(
     of_coordinates = [units[role] for role in COORDINATES if role in units]
     if len(of_coordinates) < len(COORDINATES) and any(factor_of(unit) != 1 for unit in of_coordinates):
         raise partly_stated(path)
-    return Header(columns, units, announced)
+    return Header(columns, units, announced, names)
 
 
 def stated_unit(path: Path, lines: Iterable[str]) -> Optional[str]:

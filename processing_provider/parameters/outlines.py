@@ -87,10 +87,12 @@ class ReferenceLayer(OutlineLayer):
 
         if layer.fields().indexOf("kind") >= 0:
             whole = _whole(layer)
-            features = [(straight(item), item.attributeMap()) for item in whole.getFeatures()]
-            drawn = drawn_reference(source, features, _wkt(whole), file_of(layer))
-            if whole is not layer:
-                _close(whole)
+            try:
+                features = [(straight(item), item.attributeMap()) for item in whole.getFeatures()]
+                drawn = drawn_reference(source, features, _wkt(whole), file_of(layer))
+            finally:
+                if whole is not layer:
+                    _close(whole)
             if drawn:
                 return drawn
         return Reference(super()._read(layer, source), None)

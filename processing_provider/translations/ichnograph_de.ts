@@ -671,8 +671,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/losses.py"/>
-        <source>%1 holds what all inputs have; left out were: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
-        <translation>%1 enthält, was alle Eingaben haben; weggelassen wurden: %2. LAS oder LAZ aus LAS- oder LAZ-Dateien eines einzigen Punktformats schreiben, um alles zu behalten.</translation>
+        <source>Left out of %1: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
+        <translation>Nicht in %1 enthalten: %2. LAS oder LAZ aus LAS- oder LAZ-Dateien eines Punktformats schreiben, um alles zu behalten.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/losses.py"/>

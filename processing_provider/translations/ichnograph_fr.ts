@@ -671,8 +671,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/losses.py"/>
-        <source>%1 holds what all inputs have; left out were: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
-        <translation>%1 contient ce que toutes les entrées ont ; sont omis : %2. Écrivez du LAS ou du LAZ à partir de fichiers LAS ou LAZ d’un seul format de points pour tout garder.</translation>
+        <source>Left out of %1: %2. Write LAS or LAZ from LAS or LAZ files of one point format to keep everything.</source>
+        <translation>Absents de %1 : %2. Écrivez du LAS ou du LAZ à partir de fichiers LAS ou LAZ d&#x27;un même format de points pour tout conserver.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/writing/losses.py"/>

@@ -50,7 +50,8 @@ def test_who_takes_the_first_item_only_does_not_wait_for_the_second():
     assert made == [0]
 
 
-def test_several_items_are_worked_on_at_once_but_not_all():
+def test_several_items_are_worked_on_at_once_but_not_all(monkeypatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
     asked, together = [], threading.Barrier(2)
 
     def items():

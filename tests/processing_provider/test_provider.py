@@ -209,3 +209,23 @@ def test_what_the_manual_calls_advanced_is_advanced_in_the_dialog(algorithm):
     rows = [line.split("|")[1] for line in page.splitlines() if "| advanced: " in line]
     names = [name.strip() for row in rows for name in row.split(",")]
     assert [name for name in names if not algorithm.parameterDefinition(name).flags() & advanced] == []
+
+
+def test_algorithms_run_in_the_background_and_can_be_cancelled(algorithm):
+    from qgis.core import QgsProcessingAlgorithm
+
+    # Layouts belong to the main thread.
+    in_front = bool(algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagNoThreading)
+    assert in_front == (algorithm.name() == "planlayout")
+    assert algorithm.flags() & QgsProcessingAlgorithm.Flag.FlagCanCancel
+
+
+def test_the_provider_leaves_with_the_plugin_and_comes_back(plugin, qgis_application):
+    registry = qgis_application.processingRegistry()
+
+    plugin.unload()
+    try:
+        assert registry.providerById("ichnograph") is None
+    finally:
+        plugin.initProcessing()
+    assert registry.providerById("ichnograph") is not None

@@ -46,7 +46,7 @@ class Layout:
         Median of the first coordinates (m).
     warnings : tuple of str
     others : tuple of str
-        The columns that are not read, by their numbers from 1.
+        The columns that are not read and not 0, by their names, or by their numbers from 1.
     """
 
     encoding: str
@@ -100,9 +100,9 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
             *_taken(path, marked),
         ),
         others=tuple(
-            f"column {column + 1}"
+            (header.names[column] if header.names else "") or f"column {column + 1}"
             for column in range(width)
-            if column not in columns.used and any(row[column] for row in rows)
+            if column not in columns.used and np.any(values[:, column] != 0)
         ),
     )
 

@@ -4,12 +4,13 @@ import math
 import os
 from collections import deque
 from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Callable
 
 import numpy as np
 
+from ...parallel import begun_only
 from ...progress import Progress
 from ..cloud import Cloud
 from ..settings import ThinningSettings, TileSettings
@@ -113,7 +114,7 @@ def thin_tiles(
         kept = choose(tile.xyz, seeds, tile.corner, reach)
         return kept, _rim(tile, kept, reach)
 
-    with ThreadPoolExecutor(workers) as pool:
+    with begun_only(workers) as pool:
         for key, tile in store.tiles(keys, progress, "Thinning"):
             # A tile needs the rims of its neighbours, which are thinned before.
             while waiting and (len(waiting) > enough or _order(waiting[0][0])[:2] != _order(key)[:2]):

@@ -113,6 +113,8 @@ class TileStore:
             If what does not fit into the budget of memory does not fit into the folder either.
         """
         beyond = count * 4 * self.width - self.settings.memory_bytes
+        if beyond <= 0:
+            return
         with _full_disk_named():
             folder = tempfile.gettempdir()
             free = shutil.disk_usage(folder).free
@@ -152,7 +154,8 @@ class TileStore:
         """Read the tile in column and row `key`, its points in the cloud's order."""
         parts = self._parts[key]
         records = np.concatenate([self._read(*part) for part in parts])
-        first = np.repeat([self._blocks[part[0]].first for part in parts], [part[2] for part in parts])
+        firsts = np.array([self._blocks[part[0]].first for part in parts], np.int64)
+        first = np.repeat(firsts, [part[2] for part in parts])
         index = first + records[:, 3] if self.width == 4 else np.zeros(0, np.int64)
         corner = (key[0] * self.edge, key[1] * self.edge)
         return Tile(corner, np.ascontiguousarray(records[:, :3]), index, self.edge)
@@ -161,7 +164,8 @@ class TileStore:
         """Leave out all but some rows of the tile `key`, which ascend; no more room is taken."""
         parts, begin = [], 0
         for block, start, count in self._parts[key]:
-            own = rows[(rows >= begin) & (rows < begin + count)] - begin
+            first, last = np.searchsorted(rows, [begin, begin + count])
+            own = rows[first:last] - begin
             self._replace(block, start, self._read(block, start, count)[own])
             parts.append((block, start, len(own)))
             begin += count

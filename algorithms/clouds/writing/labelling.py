@@ -35,12 +35,14 @@ class Labels:
 
     name: str
     values: np.ndarray
-    kept: np.ndarray
+    labelled: np.ndarray
 
-    def of_chunk(self, start: int, count: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the rows of the chunk that begins at point `start` that are kept, and their values."""
-        first, last = np.searchsorted(self.kept, [start, start + count])
-        return self.kept[first:last] - start, self.values[first:last]
+    def of_chunk(self, start: int, count: int) -> np.ndarray:
+        """Return the values of the chunk that begins at point `start`, 0 where there are none."""
+        first, last = np.searchsorted(self.labelled, [start, start + count])
+        values = np.zeros(count, self.values.dtype)
+        values[self.labelled[first:last] - start] = self.values[first:last]
+        return values
 
 
 def write_labelled(
@@ -48,11 +50,11 @@ def write_labelled(
     name: str,
     values: np.ndarray,
     path: Union[str, Path],
-    kept: Optional[np.ndarray] = None,
+    labelled: Optional[np.ndarray] = None,
     progress: Progress = Progress(),
     settings: WritingSettings = WritingSettings(),
 ) -> None:
-    """Write points of `cloud` to `path`, each with its value.
+    """Write all points of `cloud` to `path`, each with its value.
 
     LAS and LAZ files of one point format keep every attribute and get an extra dimension. Anything else
     becomes LAS 1.4 with coordinates, intensity, colour and the attributes that all files have, or text
@@ -66,8 +68,9 @@ def write_labelled(
     values : ndarray of an integer type, shape (k,)
     path : str or Path
         Ends in .las, .laz, .xyz, .txt or .csv.
-    kept : ndarray of int64, shape (k,), optional
-        Positions of the points in the sequence of all points of the cloud, ascending; all if not given.
+    labelled : ndarray of int64, shape (k,), optional
+        Positions of the points with these values in the sequence of all points of the cloud, ascending; all
+        if not given. The others have 0.
     progress : Progress
     settings : WritingSettings
 
@@ -83,11 +86,11 @@ def write_labelled(
     doubts = (
         (*unlike_values(cloud, target), *unlike_times(files, target))
         if files
-        else losses(cloud, target, _shared_attributes(cloud))
+        else losses(cloud, target, _written_attributes(cloud, target, name, settings))
     )
     for sentence in doubts:
         progress.update(0.0, sentence)
-    labels = Labels(name, values, np.arange(len(values)) if kept is None else kept)
+    labels = Labels(name, values, np.arange(len(values)) if labelled is None else labelled)
     with atomic_output(target) as temporary:
         if is_text(target):
             _write_text(cloud, labels, temporary, progress, settings)
@@ -117,12 +120,11 @@ def _write_records(
     with las_writer(path, header) as writer:
         for source, part in parts(files, progress):
             for records in source.records(part, settings.chunk_points):
-                rows, values = labels.of_chunk(done, len(records))
-                done += len(records)
-                points = np.empty(len(rows), header.point_format.dtype())
+                points = np.empty(len(records), header.point_format.dtype())
                 for field in records.dtype.names:
-                    points[field] = records[field][rows]
-                points[labels.name] = values
+                    points[field] = records[field]
+                points[labels.name] = labels.of_chunk(done, len(records))
+                done += len(records)
                 rescale(points, source, header, path)
                 if len(depths) > 1 and source.has_rgb:
                     widen_colour(points, source)
@@ -138,22 +140,18 @@ def _write_las(
     progress: Progress,
     settings: WritingSettings,
 ) -> None:
-    shared = _shared_attributes(cloud)
-    has_rgb = any(source.has_rgb for source in cloud.sources)
-    header = new_header(cloud.origin, common_scales(cloud, settings), has_rgb, cloud.crs)
-    taken = {"x", "y", "z", labels.name, *header.point_format.dimension_names}
-    shared = {attribute: kind for attribute, kind in shared.items() if attribute.lower() not in taken}
+    header = _new_header(cloud, settings)
+    shared = _free_attributes(cloud, header, labels.name)
     for attribute, kind in (*shared.items(), (labels.name, labels.values.dtype)):
         header.add_extra_dim(laspy.ExtraBytesParams(attribute, kind))
     done = 0
     with las_writer(path, header) as writer:
         for chunk in cloud.chunks(progress, settings.chunk_points):
-            rows, values = labels.of_chunk(done, len(chunk.xyz))
-            done += len(chunk.xyz)
-            points = las_points(chunk.subset(rows), header, path)
+            points = las_points(chunk, header, path)
             for attribute in shared:
-                points.array[attribute] = chunk.attributes[attribute][rows]
-            points.array[labels.name] = values
+                points.array[attribute] = chunk.attributes[attribute]
+            points.array[labels.name] = labels.of_chunk(done, len(chunk.xyz))
+            done += len(chunk.xyz)
             writer.write_points(points)
 
 
@@ -168,13 +166,32 @@ def _write_text(
     done = 0
     with path.open("w", encoding="utf-8", newline="") as stream:
         for chunk in cloud.chunks(progress, settings.chunk_points):
-            rows, values = labels.of_chunk(done, len(chunk.xyz))
-            done += len(chunk.xyz)
-            table = table_of(cloud, chunk.subset(rows))
+            table = table_of(cloud, chunk)
             for attribute in shared:
-                table[attribute] = chunk.attributes[attribute][rows]
-            table[labels.name] = values
+                table[attribute] = chunk.attributes[attribute]
+            table[labels.name] = labels.of_chunk(done, len(chunk.xyz))
+            done += len(chunk.xyz)
             append_rows(table, stream, path, settings)
+
+
+def _new_header(cloud: Cloud, settings: WritingSettings) -> laspy.LasHeader:
+    has_rgb = any(source.has_rgb for source in cloud.sources)
+    return new_header(cloud.origin, common_scales(cloud, settings), has_rgb, cloud.crs)
+
+
+def _written_attributes(
+    cloud: Cloud, target: Path, name: str, settings: WritingSettings
+) -> dict[str, np.dtype]:
+    if is_text(target):
+        return _shared_attributes(cloud)
+    return _free_attributes(cloud, _new_header(cloud, settings), name)
+
+
+def _free_attributes(cloud: Cloud, header: laspy.LasHeader, name: str) -> dict[str, np.dtype]:
+    """Return the attributes that all files have and whose names a new LAS file does not use itself."""
+    taken = {"x", "y", "z", name, *header.point_format.dimension_names}
+    shared = _shared_attributes(cloud)
+    return {attribute: kind for attribute, kind in shared.items() if attribute.lower() not in taken}
 
 
 def _shared_attributes(cloud: Cloud) -> dict[str, np.dtype]:

@@ -15,6 +15,7 @@ from ...errors import InputError
 from ..cloud import Cloud
 from ..formats.las import LasSource
 from ..formats.las_reader import open_reader
+from ..formats.value_ranges import scaled_colour
 from ..settings import WritingSettings
 from ..source import Chunk, Source
 
@@ -141,7 +142,7 @@ def rescale(points: np.ndarray, source: LasSource, header: laspy.LasHeader, path
 def widen_colour(points: np.ndarray, source: LasSource) -> None:
     """Bring the colours of raw records of `source`, which are changed, to 16 bits."""
     for name in ("red", "green", "blue"):
-        points[name] *= source.colour_factor
+        points[name] = scaled_colour(source.path, points[name], source.colour_factor)
 
 
 def stored(values: np.ndarray, scale: float, path: Path) -> np.ndarray:

@@ -25,8 +25,8 @@ def losses(cloud: Cloud, target: Path, kept: Collection[str] = ()) -> tuple[str,
     if not lost:
         return unlike_values(cloud, target)
     return (
-        f"{target.name} holds what all inputs have; left out were: {', '.join(lost)}. Write LAS or LAZ from "
-        "LAS or LAZ files of one point format to keep everything.",
+        f"Left out of {target.name}: {', '.join(lost)}. Write LAS or LAZ from LAS or LAZ files of one point "
+        "format to keep everything.",
         *unlike_values(cloud, target),
     )
 

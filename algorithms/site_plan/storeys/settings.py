@@ -22,7 +22,7 @@ class VoxelSettings:
     mixing_radius_m: float = physical(0.07, "A wider ball holds points of both faces of a thin partition.")
     fewest_agreeing: int = judged(7, "So many of twenty points around show a face that is partly hidden.")
     tried_points: int = physical(
-        24, "Planes are tried through these and the point itself; a disc of three spacings holds 28."
+        24, "Planes are tried through these, of which the point is one; a disc of three spacings holds 28."
     )
     tried_sine: float = judged(
         0.3,

@@ -18,6 +18,13 @@ def test_cells_that_touch_are_one_part():
     assert strays({(0, 0): 1000, (1, 1): 1}) == []
 
 
+@pytest.mark.parametrize("shift", range(10))
+def test_points_nearer_than_the_gap_are_never_stray_wherever_the_cells_begin(shift):
+    edge, stations = 2.0, np.arange(shift, shift + 19, 18)
+    cells = np.column_stack([stations // 2, stations // 2])
+    assert not stray_cells(cells, np.array([100_000, 1]), edge).any()
+
+
 @pytest.mark.parametrize("far", [(50, 0), (0, -50), (100_000, 100_000)])
 def test_hardly_any_points_far_away_are_stray(far):
     assert strays({(0, 0): 100_000, far: 50}) == [far]

@@ -6,11 +6,12 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.writing.labelling import write_labelled
 from ichnograph.algorithms.clouds.writing.point_selection import write_cloud
+from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ply
 
 COUNT = 20
-LEFT_OUT = "{} holds what all inputs have; left out were: {}. Write LAS or LAZ"
+LEFT_OUT = "Left out of {}: {}. Write LAS or LAZ"
 
 
 def las(path, point_format=2, version="1.2", depth=255, **dimensions):
@@ -69,7 +70,7 @@ def test_normals_of_a_ply_and_further_columns_of_a_text_are_named(tmp_path):
     rows = text(tmp_path / "b.txt", "x y z class", np.random.default_rng(0).random((COUNT, 4)))
 
     assert written([ply, rows], tmp_path / "out.las")[0].startswith(
-        LEFT_OUT.format("out.las", "nx, ny, nz, column 4")
+        LEFT_OUT.format("out.las", "nx, ny, nz, class")
     )
 
 
@@ -88,6 +89,36 @@ def test_colours_of_8_and_of_16_bits_become_16_bits(tmp_path, labelled):
 
     red = np.asarray(laspy.read(target).red, int)
     np.testing.assert_allclose(red[:COUNT], red[COUNT:], atol=257)
+
+
+@pytest.mark.parametrize("labelled", [True, False])
+def test_a_colour_beyond_the_range_of_its_file_is_refused_where_ranges_differ(tmp_path, labelled):
+    dark = laspy.read(las(tmp_path / "a.las"))
+    count = 200_000
+    many = laspy.LasData(laspy.LasHeader(point_format=2))
+    many.x = many.y = many.z = np.linspace(0, 5, count)
+    many.red = many.green = many.blue = np.where(np.arange(count) == 7777, 300, dark.red.max())
+    many.write(str(tmp_path / "a.las"))
+    cloud = open_cloud([tmp_path / "a.las", las(tmp_path / "b.las", depth=65535)])
+    every = np.arange(count + COUNT)
+
+    with pytest.raises(InputError, match="colours above 255"):
+        if labelled:
+            write_labelled(cloud, "n", every, tmp_path / "out.las")
+        else:
+            write_cloud(cloud, every, tmp_path / "out.las")
+
+
+def test_attributes_that_a_new_las_file_cannot_hold_by_their_names_are_named(tmp_path):
+    points = np.rec.fromarrays(np.ones((5, COUNT)), names="x,y,z,user_data,n")
+    cloud = open_cloud([write_ply(tmp_path / "a.ply", points)])
+    said = []
+    labels = np.arange(COUNT, dtype=np.uint16)
+    write_labelled(
+        cloud, "plane", labels, tmp_path / "out.laz", progress=Progress(lambda _, text: said.append(text))
+    )
+
+    assert any(sentence.startswith(LEFT_OUT.format("out.laz", "user_data")) for sentence in said)
 
 
 def test_unlike_kinds_of_gps_time_are_said(tmp_path):
