@@ -113,8 +113,8 @@ lived-in: setup  ## Print the worst and the median plan of simulated buildings i
 ablation: setup  ## Print what each idea of the plan of a storey contributes (CLOUDS=, REFERENCES=)
 	$(RUN) -m ichnograph.benchmarks.ablation $(CLOUDS) $(if $(REFERENCES),--references $(REFERENCES))
 
-benchmark: setup  ## Print how long ten million points take, and how much memory
-	$(RUN) -m ichnograph.benchmarks.speed
+benchmark: setup  ## Print how long ten million points take, by stage and beside the installed peers (POINTS=, RUNS=)
+	$(RUN_PEERS) -m ichnograph.benchmarks.speed --stages $(if $(POINTS),--points $(POINTS)) $(if $(RUNS),--runs $(RUNS))
 
 figure2: setup  ## Draw figure 2 of the paper: point spacing against pixel size
 	$(RUN) -m ichnograph.benchmarks.figure2
@@ -128,13 +128,15 @@ registration: setup  ## Print how reliably targets are matched, compared with th
 targets: setup  ## Print how many targets are found in simulated scans, and how exact their centres are
 	$(RUN) -m ichnograph.benchmarks.targets
 
-peers: .peers/installed  ## Install the tools that registration and facades are compared with (peers)
+peers: .peers/installed  ## Install the tools that registration, facades and speed are compared with (peers)
 
 .peers/installed: | distribution
 	@# One by one, because not every system has all of them; numpy must remain that of the distribution.
 	mkdir -p .peers
-	for peer in open3d-cpu kiss-matcher cliquematch pyransac3d alphashape click-log trimesh rtree; do \
-		$(PYTHON) -m pip install --quiet --upgrade --target .peers --no-deps $$peer || true; \
+	for peer in open3d-cpu kiss-matcher cliquematch pyransac3d alphashape click-log trimesh rtree \
+		"datashader==0.16.*" "xarray==2024.*" "dask==2023.5.*" colorcet multipledispatch param pyct \
+		toolz cloudpickle fsspec partd locket; do \
+		$(PYTHON) -m pip install --quiet --upgrade --target .peers --no-deps "$$peer" || true; \
 	done
 	@# open3d imports these.
 	$(PYTHON) -m pip install --quiet --upgrade --target .peers dash configargparse
