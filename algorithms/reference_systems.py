@@ -127,21 +127,33 @@ def has_only_heights(crs: CRS) -> bool:
 
 def are_swapped(crs: CRS, x: float, y: float) -> bool:
     """Whether a position lies outside the area of a projected system, but inside it with x and y swapped."""
+    return _are_inside(crs, x, y) == [False, True]
+
+
+def is_elsewhere(crs: CRS, x: float, y: float) -> bool:
+    """Whether a position lies outside the area of a projected system, also with x and y swapped."""
+    return _are_inside(crs, x, y) == [False, False]
+
+
+def _are_inside(crs: CRS, x: float, y: float) -> list[bool]:
+    """Return whether a position lies in the area of a projected system, as it is and with x and y swapped.
+
+    The list is empty if that cannot be known.
+    """
     definition = _definition(crs)
     area = definition.area_of_use
     if area is None or not definition.is_projected or area.west > area.east:
-        return False
+        return []
     try:
         degrees = pyproj.Transformer.from_crs(definition, "EPSG:4326", always_xy=True)
         east, north = degrees.transform([x, y], [y, x])
     except ProjError:
-        return False
-    inside = [
+        return []
+    return [
         area.west - BESIDE <= longitude <= area.east + BESIDE
         and area.south - BESIDE <= latitude <= area.north + BESIDE
         for longitude, latitude in zip(east, north)
     ]
-    return inside == [False, True]
 
 
 def name_of(crs: CRS) -> str:

@@ -47,6 +47,13 @@ class PrecisionSettings:
     fewest_points: int = statistical(
         10, "The chance that as many points of full precision lie near steps is below one in a million."
     )
+    fewest_whole: int = statistical(
+        3, "Nine coordinates; all are whole by chance once in 10^27, at millimetres."
+    )
+    widest_whole_m: float = physical(
+        100.0, "Whole metres within less are models or examples; 100 mm are smaller than any site."
+    )
+    highest_m: float = physical(1000.0, "No building is higher; millimetres of a room of 2.5 m are 2500.")
 
 
 @dataclass(frozen=True)

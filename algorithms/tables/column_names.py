@@ -32,6 +32,7 @@ CLOUD: Roles = {
     "intensity": (
         *("intensity", "i", "reflectance", "reflectivity", "amplitude", "scalarintensity", "intensitat"),
         *("intensitaet", "intensite", "intensita", "intensidad", "scalarreflectance", "reflectanz"),
+        *("reflection", "reflexion", "riflettanza", "reflectancia"),
     ),
     "red": ("r", "red", "rf", "rgb:0", "rot", "rouge", "rosso", "rojo", "colorred", "diffusered"),
     "green": ("g", "green", "gf", "rgb:1", "grun", "gruen", "vert", "verde", "colorgreen", "diffusegreen"),

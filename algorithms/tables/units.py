@@ -57,9 +57,13 @@ _REMARKS = (
         rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?{_WHAT}?"
         r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*\s*(?:\b(?:in|en)\s|[:=(\[])\s*(\w+)\W*"
     ),
+    re.compile(
+        r"\W*(?:(?:us|u\.s\.?|survey|international|intl)[\s-]+)*"
+        r"((?:milli|centi|deci|kilo)?met(?:er|re)s?|mm|cm|dm|m|km|ft|us-?ft|feet|foot|inch|inches)\W*"
+    ),
 )
-"""How a remark states the unit: after a word for it that begins a phrase, or as all that it says of the
-coordinates."""
+"""How a remark states the unit: after a word for it that begins a phrase, as all that it says of the
+coordinates, or alone."""
 
 
 def unit_of(name: str) -> Optional[str]:

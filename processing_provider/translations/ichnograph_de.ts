@@ -101,6 +101,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cloud.py"/>
+        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
+        <translation>Die Punkte von %1 liegen außerhalb des Gebiets von %2; das Bezugssystem ihrer Koordinaten wählen, oder keines, wenn sie lokal sind.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cloud.py"/>
         <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
         <translation>x und y von %1 scheinen vertauscht zu sein, denn nur vertauscht liegen sie im Gebiet von %2; der Plan wäre gespiegelt. Den Rechtswert vor den Hochwert schreiben.</translation>
     </message>
@@ -128,6 +133,16 @@
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
         <source>The coordinates of %1 have single precision, so they lie in steps of %2; export it with double precision, or with coordinates near 0.</source>
         <translation>Die Koordinaten von %1 haben einfache Genauigkeit und liegen daher in Stufen von %2; mit doppelter Genauigkeit oder mit Koordinaten nahe 0 exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The coordinates of %1 are whole numbers, which were read as metres; if they are millimetres, convert them, or write the unit into the names of the columns.</source>
+        <translation>Die Koordinaten von %1 sind ganze Zahlen und wurden als Meter gelesen; sind es Millimeter, sie umrechnen oder die Einheit in die Namen der Spalten schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The points of %1 reach over %2 m in height; if their coordinates are millimetres, convert them to metres.</source>
+        <translation>Die Punkte von %1 reichen über %2 m in der Höhe; sind ihre Koordinaten Millimeter, sie in Meter umrechnen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -180,6 +195,11 @@
         <location filename="../../algorithms/clouds/formats/e57.py"/>
         <source>Some scans of %1 have no %2, which counts as 0 there; export all scans alike.</source>
         <translation>Einigen Scans von %1 fehlt: %2; dort zählt es als 0. Alle Scans gleich exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>Scan %1 of %2 has no pose, though others have, and was not moved; check that it is registered.</source>
+        <translation>Scan %1 von %2 hat keine Pose, andere dagegen schon, und wurde nicht bewegt; prüfen, ob er registriert ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -240,6 +260,11 @@
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
         <source>a record after its points announces more than there is</source>
         <translation>ein Datensatz nach den Punkten kündigt mehr an, als vorhanden ist</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/las_layout.py"/>
+        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
+        <translation>Der Kopf von %1 kündigt %2 Punkte an, aber %3 weitere folgen, die weggelassen wurden; die Datei neu exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
@@ -382,6 +407,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <source>The header of %1 announces %2 points, but more follow, which were left out; export it again.</source>
+        <translation>Der Kopf von %1 kündigt %2 Punkte an, aber weitere folgen, die weggelassen wurden; die Datei neu exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>sie kündigt %1 Punkte an und hat %2</translation>
     </message>
@@ -497,6 +527,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>differs from the position and axes of the scanner above it, by %1 m in position</source>
+        <translation>weicht von Position und Achsen des Scanners darüber ab, in der Position um %1 m</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>Line %1 of %2 has %3 numbers instead of 4 (x y z intensity) or 7 (and colour); export it again as PTX.</source>
         <translation>Zeile %1 von %2 hat %3 Zahlen statt 4 (x y z Intensität) oder 7 (und Farbe); erneut als PTX exportieren.</translation>
     </message>
@@ -524,6 +559,11 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The first column of %1 can be x, or the number or time of a point; name the columns in a first line, as &#x27;x y z intensity&#x27; or &#x27;time x y z&#x27;.</source>
         <translation>Die erste Spalte von %1 kann x oder die Nummer oder Zeit eines Punktes sein; die Spalten in einer ersten Zeile benennen: &#x27;x y z intensity&#x27; oder &#x27;time x y z&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>The first two columns of %1 can be x and y, or the row and the column in the scan; name the columns in a first line, as &#x27;row column x y z&#x27;.</source>
+        <translation>Die ersten beiden Spalten von %1 können x und y sein, oder Zeile und Spalte im Scan; die Spalten in einer ersten Zeile benennen, etwa &#x27;row column x y z&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
@@ -2069,6 +2109,11 @@
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
         <source>Feature %1 of %2 has no name; give it one.</source>
         <translation>Objekt %1 von %2 hat keinen Namen; ihm einen geben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_list.py"/>
+        <source>The height of %1 in %2 is below %3 m, as of a point whose height is not known; correct it, or leave the point out.</source>
+        <translation>Die Höhe von %1 in %2 liegt unter %3 m, wie bei einem Punkt, dessen Höhe nicht bekannt ist; sie berichtigen oder den Punkt weglassen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_list.py"/>

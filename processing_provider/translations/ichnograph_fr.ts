@@ -101,6 +101,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cloud.py"/>
+        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
+        <translation>Les points de %1 se trouvent hors de la zone de %2 ; choisissez le système de leurs coordonnées, ou aucun si elles sont locales.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cloud.py"/>
         <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
         <translation>x et y de %1 semblent intervertis, car ils ne tombent dans l&#x27;emprise de %2 qu&#x27;une fois échangés ; le plan serait inversé en miroir. Écrivez la coordonnée est avant la coordonnée nord.</translation>
     </message>
@@ -128,6 +133,16 @@
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
         <source>The coordinates of %1 have single precision, so they lie in steps of %2; export it with double precision, or with coordinates near 0.</source>
         <translation>Les coordonnées de %1 sont en simple précision et varient donc par pas de %2 ; exportez-les en double précision, ou avec des coordonnées proches de 0.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The coordinates of %1 are whole numbers, which were read as metres; if they are millimetres, convert them, or write the unit into the names of the columns.</source>
+        <translation>Les coordonnées de %1 sont des nombres entiers, lus comme des mètres ; si ce sont des millimètres, convertissez-les, ou écrivez l’unité dans les noms des colonnes.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The points of %1 reach over %2 m in height; if their coordinates are millimetres, convert them to metres.</source>
+        <translation>Les points de %1 s’étendent sur %2 m en hauteur ; si leurs coordonnées sont des millimètres, convertissez-les en mètres.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -180,6 +195,11 @@
         <location filename="../../algorithms/clouds/formats/e57.py"/>
         <source>Some scans of %1 have no %2, which counts as 0 there; export all scans alike.</source>
         <translation>Il manque à certains scans de %1 : %2 ; cela y compte pour 0. Exportez tous les scans de la même façon.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <source>Scan %1 of %2 has no pose, though others have, and was not moved; check that it is registered.</source>
+        <translation>Le scan %1 de %2 n’a pas de pose, contrairement à d’autres, et n’a pas été déplacé ; vérifiez qu’il est recalé.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -240,6 +260,11 @@
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
         <source>a record after its points announces more than there is</source>
         <translation>un enregistrement placé après les points annonce plus que ce qui s&#x27;y trouve</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/las_layout.py"/>
+        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
+        <translation>L’en-tête de %1 annonce %2 points, mais %3 autres suivent, qui ont été omis ; exportez le fichier à nouveau.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
@@ -382,6 +407,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <source>The header of %1 announces %2 points, but more follow, which were left out; export it again.</source>
+        <translation>L’en-tête de %1 annonce %2 points, mais d’autres suivent, qui ont été omis ; exportez le fichier à nouveau.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>il annonce %1 points et en a %2</translation>
     </message>
@@ -497,6 +527,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>differs from the position and axes of the scanner above it, by %1 m in position</source>
+        <translation>diffère de la position et des axes du scanner au-dessus, de %1 m en position</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>Line %1 of %2 has %3 numbers instead of 4 (x y z intensity) or 7 (and colour); export it again as PTX.</source>
         <translation>La ligne %1 de %2 a %3 nombres au lieu de 4 (x y z intensité) ou 7 (avec la couleur) ; exportez-la à nouveau en PTX.</translation>
     </message>
@@ -524,6 +559,11 @@
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The first column of %1 can be x, or the number or time of a point; name the columns in a first line, as &#x27;x y z intensity&#x27; or &#x27;time x y z&#x27;.</source>
         <translation>La première colonne de %1 peut être x, ou le numéro ou l&#x27;heure d&#x27;un point ; nommez les colonnes dans une première ligne : &#x27;x y z intensity&#x27; ou &#x27;time x y z&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>The first two columns of %1 can be x and y, or the row and the column in the scan; name the columns in a first line, as &#x27;row column x y z&#x27;.</source>
+        <translation>Les deux premières colonnes de %1 peuvent être x et y, ou la ligne et la colonne dans le scan ; nommez les colonnes dans une première ligne, par exemple &#x27;row column x y z&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
@@ -2069,6 +2109,11 @@
         <location filename="../../algorithms/registration/lists/point_layer.py"/>
         <source>Feature %1 of %2 has no name; give it one.</source>
         <translation>L&#x27;entité %1 de %2 n&#x27;a pas de nom ; donnez-lui-en un.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_list.py"/>
+        <source>The height of %1 in %2 is below %3 m, as of a point whose height is not known; correct it, or leave the point out.</source>
+        <translation>La hauteur de %1 dans %2 est inférieure à %3 m, comme celle d’un point dont la hauteur n’est pas connue ; corrigez-la, ou retirez le point.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_list.py"/>

@@ -11,6 +11,7 @@ from ichnograph.algorithms.reference_systems import (
     are_swapped,
     has_only_heights,
     horizontal,
+    is_elsewhere,
     is_local,
     name_of,
     parse_layer_wkt,
@@ -173,3 +174,17 @@ def test_heights_alone_are_recognised():
 )
 def test_coordinates_that_fit_the_system_only_the_other_way_round_are_swapped(x, y, swapped):
     assert are_swapped(CRS.from_epsg(25833), x, y) is swapped
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "elsewhere"),
+    [
+        (412345, 5812345, False),
+        (5812345, 412345, False),
+        (0, 0, True),
+        (33_412_345, 5_812_345, True),
+        (1e300, 0, True),
+    ],
+)
+def test_coordinates_that_fit_the_system_in_no_way_are_elsewhere(x, y, elsewhere):
+    assert is_elsewhere(CRS.from_epsg(25833), x, y) is elsewhere

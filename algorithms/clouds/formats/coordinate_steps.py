@@ -1,4 +1,7 @@
-"""How finely a file stores its coordinates: single precision far from the origin loses millimetres."""
+"""How finely a file stores its coordinates, and whether they can be metres.
+
+Single precision far from the origin loses millimetres. Whole numbers are seldom metres.
+"""
 
 from pathlib import Path
 
@@ -34,6 +37,45 @@ def step_warning(
         f"The coordinates of {path} have single precision, so they lie in steps of {', '.join(coarse)}; "
         "export it with double precision, or with coordinates near 0.",
     )
+
+
+def unit_warning(
+    path: Path,
+    xyz: np.ndarray,
+    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    settings: PrecisionSettings = PrecisionSettings(),
+) -> tuple[str, ...]:
+    """Return a sentence if coordinates without a stated unit can be millimetres; see `step_warning`."""
+    known = xyz[np.isfinite(xyz).all(axis=1)]
+    if len(known) < settings.fewest_whole or metres != (1.0, 1.0, 1.0):
+        return ()
+    if np.any(known % 1) or np.ptp(known, axis=0).max() < settings.widest_whole_m:
+        return ()
+    return (
+        f"The coordinates of {path} are whole numbers, which were read as metres; if they are "
+        "millimetres, convert them, or write the unit into the names of the columns.",
+    )
+
+
+def height_warning(
+    path: Path, z: np.ndarray, settings: PrecisionSettings = PrecisionSettings()
+) -> tuple[str, ...]:
+    """Return a sentence if a cloud is higher than a site; `z` is a sample, metres, shape (n,)."""
+    low, high = np.percentile(z[np.isfinite(z)], [1, 99]) if np.isfinite(z).any() else (0, 0)
+    if high - low <= settings.highest_m:
+        return ()
+    return (
+        f"The points of {path} reach over {high - low:.0f} m in height; if their coordinates are "
+        "millimetres, convert them to metres.",
+    )
+
+
+def coordinate_warnings(
+    path: Path, xyz: np.ndarray, metres: tuple[float, float, float] = (1.0, 1.0, 1.0)
+) -> tuple[str, ...]:
+    """Return all sentences on the coordinates of a cloud; see `step_warning`."""
+    coarse = step_warning(path, xyz, metres) or unit_warning(path, xyz, metres)
+    return coarse or height_warning(path, xyz[:, 2] * metres[2])
 
 
 def _step(values: np.ndarray, settings: PrecisionSettings) -> float:

@@ -15,7 +15,7 @@ from ...reference_systems import parse_wkt
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, unreadable
 from . import E57_PACKAGES
-from .coordinate_steps import step_warning
+from .coordinate_steps import coordinate_warnings
 from .e57_scan import CARTESIAN, COLOUR, INVALID, SPHERICAL, Scan, describe, plain_name
 from .normals import find_normals, unnamed_normals
 from .stated_crs import read_crs
@@ -81,6 +81,7 @@ class E57Source(Source):
                 *warnings,
                 *doubts,
                 *_unlike(path, scans),
+                *_unposed(path, scans),
                 *unnamed_normals(path, {name: sample[name] for name in first.attributes}),
             ),
             middle=np.median(_positions(sample, first), axis=0),
@@ -271,6 +272,18 @@ def _unlike(path: Path, scans: Sequence[Scan]) -> tuple[str, ...]:
     )
 
 
+def _unposed(path: Path, scans: Sequence[Scan]) -> tuple[str, ...]:
+    """Return a sentence if some scans have a pose and others not."""
+    unposed = [str(scan.number + 1) for scan in scans if scan.count and not scan.has_pose]
+    if not unposed or len(unposed) == sum(scan.count > 0 for scan in scans):
+        return ()
+    listed = ", ".join(unposed)
+    return (
+        f"Scan {listed} of {path} has no pose, though others have, and was not moved; check that it is "
+        "registered.",
+    )
+
+
 def _refuse_degrees(path: Path, scan: Scan, data: dict[str, np.ndarray]) -> None:
     """Refuse angles of polar coordinates that cannot be the radians that E57 prescribes."""
     if scan.coordinates != SPHERICAL:
@@ -286,7 +299,7 @@ def _refuse_degrees(path: Path, scan: Scan, data: dict[str, np.ndarray]) -> None
 def _coarse(path: Path, data: dict[str, np.ndarray]) -> tuple[str, ...]:
     if not set(CARTESIAN) <= data.keys():
         return ()
-    return step_warning(path, np.stack([data[name] for name in CARTESIAN], axis=1))
+    return coordinate_warnings(path, np.stack([data[name] for name in CARTESIAN], axis=1))
 
 
 def _positions(data: dict[str, np.ndarray], scan: Scan) -> np.ndarray:

@@ -50,6 +50,7 @@ class Scan:
         What else the points have.
     warnings : tuple of str
         What the user should know about the scan, in sentences.
+    has_pose : bool
     intensity : tuple of 2 float
         Summand, then factor, that bring the intensity to 0..65535.
     rgb_factor : float
@@ -65,6 +66,7 @@ class Scan:
     brightest: float
     attributes: dict[str, np.dtype]
     warnings: tuple[str, ...] = ()
+    has_pose: bool = False
     intensity: tuple[float, float] = (0.0, 1.0)
     rgb_factor: float = 1.0
 
@@ -134,6 +136,7 @@ def describe(library: Any, path: Path, node: Any, number: int) -> Scan:
         brightest=max(_limits(node, prototype, name)[1] for name in COLOUR),
         attributes={plain_name(name): kind for name, kind in others.items()},
         warnings=warnings,
+        has_pose=node.isDefined("pose"),
     )
 
 

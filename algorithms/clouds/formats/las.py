@@ -17,7 +17,7 @@ from ...progress import Progress
 from ...reference_systems import parse_wkt
 from ..settings import PrecisionSettings, ReadingSettings
 from ..source import Chunk, Source, no_points
-from .coordinate_steps import step_warning
+from .coordinate_steps import coordinate_warnings
 from .geotiff_keys import parse_geotiff_keys
 from .las_layout import count_warning
 from .las_reader import EVERYTHING, LARGEST_BLOCK, Selection, can_seek, open_reader, read_records, seek
@@ -90,7 +90,7 @@ class LasSource(Source):
                 *warnings,
                 *count_warning(path),
                 *_left_out(path, 1 - share),
-                *(_coarse_scale(path, header.scales) or step_warning(path, xyz)),
+                *(_coarse_scale(path, header.scales) or coordinate_warnings(path, xyz)),
                 *unnamed_normals(path, _extra(sample, header.point_format)),
             ),
             middle=np.median(xyz, axis=0),

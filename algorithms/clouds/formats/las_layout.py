@@ -11,6 +11,9 @@ from ..source import no_points
 LARGEST_RECORD = 4096
 """Bytes of a point, ten times those of the largest format with all extra bytes that programs write."""
 
+WITH_WAVEFORM = (4, 5, 9, 10)
+"""Point formats of which waveforms may follow the points."""
+
 
 @dataclass(frozen=True)
 class LasLayout:
@@ -29,6 +32,8 @@ class LasLayout:
     compressed : bool
     states_count : bool
         Whether the header has the number of points; if not, it follows from the length of the file.
+    surplus : int
+        For how many further points there is room behind those that the header announces; 0 if compressed.
     """
 
     size: int
@@ -37,6 +42,7 @@ class LasLayout:
     record_size: int
     compressed: bool
     states_count: bool
+    surplus: int = 0
 
 
 def _check_records_after_points(path: Path, stream: BinaryIO, start: int, count: int, size: int) -> None:
@@ -51,9 +57,14 @@ def _check_records_after_points(path: Path, stream: BinaryIO, start: int, count:
 
 
 def count_warning(path: Path) -> tuple[str, ...]:
-    """Return a sentence if the header of a file does not state the number of its points."""
+    """Return a sentence if the header of a file does not state the number of its points, or too few."""
     with path.open("rb") as stream:
         layout = read_layout(path, stream)
+    if layout.states_count and layout.surplus:
+        return (
+            f"The header of {path} announces {layout.count} points, but {layout.surplus} more follow, which "
+            "were left out; export it again.",
+        )
     if layout.states_count:
         return ()
     return (
@@ -106,4 +117,9 @@ def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
         raise no_points(path)
     if not compressed and start + count * record_size > size:
         raise damaged(path, f"its header announces {count} points, but it ends before the last")
-    return LasLayout(size, start, count, record_size, compressed, stated)
+    end = evlr_start or size
+    if kind in WITH_WAVEFORM and head[25] >= 3:
+        (waveforms,) = struct.unpack_from("<Q", head, 227)
+        end = min(end, waveforms or end)
+    surplus = 0 if compressed else max((end - start) // record_size - count, 0)
+    return LasLayout(size, start, count, record_size, compressed, stated, surplus)

@@ -14,7 +14,7 @@ from ...tables.column_names import CLOUD, recognised
 from ...tables.header import metres_of, stated_unit
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
-from .coordinate_steps import step_warning
+from .coordinate_steps import coordinate_warnings
 from .normals import unnamed_normals
 from .number_table import read_numbers
 from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
@@ -70,6 +70,8 @@ class Layout:
         The unit of the coordinates, if a comment states one.
     metres : float
         How many metres it is.
+    is_last : bool
+        Whether nothing follows the vertices.
     """
 
     encoding: str
@@ -80,6 +82,7 @@ class Layout:
     dtype: np.dtype
     unit: Optional[str]
     metres: float
+    is_last: bool
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,8 @@ class PlySource(Source):
             crs=None,
             warnings=(
                 *_converted(path, layout),
-                *step_warning(path, positions, (layout.metres,) * 3),
+                *_surplus(path, layout),
+                *coordinate_warnings(path, positions, (layout.metres,) * 3),
                 *unnamed_normals(path, {name: sample[name] for name in _others(layout, xyz, intensity, rgb)}),
             ),
             middle=np.median(positions, axis=0) * layout.metres,
@@ -196,6 +200,25 @@ def _converted(path: Path, layout: Layout) -> tuple[str, ...]:
     if layout.metres == 1:
         return ()
     return (f"{path} gives coordinates in {layout.unit}; they were converted to metres.",)
+
+
+def _surplus(path: Path, layout: Layout) -> tuple[str, ...]:
+    """Return a sentence if more follows the vertices than the header announces."""
+    if not layout.is_last:
+        return ()
+    with path.open("rb") as stream:
+        stream.seek(layout.start)
+        if layout.encoding == "ascii":
+            more = any(line.split() for line in islice(stream, layout.skipped + layout.count, None))
+        else:
+            stream.seek(layout.count * layout.dtype.itemsize, 1)
+            more = len(stream.read(layout.dtype.itemsize)) == layout.dtype.itemsize
+    if not more:
+        return ()
+    return (
+        f"The header of {path} announces {layout.count} points, but more follow, which were left out; export "
+        "it again.",
+    )
 
 
 def _sample(path: Path, layout: Layout, settings: ReadingSettings) -> np.ndarray:
@@ -302,13 +325,15 @@ def _read_layout(path: Path) -> Layout:
     if encoding not in BYTE_ORDERS:
         raise InputError(f"{path} is a PLY of an unknown encoding; export it again.")
     lines_before = 0
-    for name, count, properties in _elements(path, lines):
+    elements = _elements(path, lines)
+    for number, (name, count, properties) in enumerate(elements):
         if name == "vertex":
             dtype = _vertex(path, properties, BYTE_ORDERS[encoding])
             remarks = (" ".join(words[1:]) for words in lines if words[0] in REMARKS)
             unit = stated_unit(path, remarks)
             metres = metres_of(path, unit)
-            layout = Layout(encoding, start, lines_before, len(lines), count, dtype, unit, metres)
+            last = not any(later for _, later, _ in elements[number + 1 :])
+            layout = Layout(encoding, start, lines_before, len(lines), count, dtype, unit, metres, last)
             _check_length(path, layout)
             return layout
         lines_before += count

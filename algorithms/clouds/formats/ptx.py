@@ -14,11 +14,17 @@ from ...progress import Progress
 from ...tables.encoding import encoding_of
 from ..settings import ReadingSettings
 from ..source import Chunk, Source, no_points, truncated, unreadable
-from .coordinate_steps import step_warning
+from .coordinate_steps import coordinate_warnings
 from .line_samples import sample_lines
 from .number_table import read_numbers
 from .poses import pose_doubt, pose_problem
 from .value_ranges import intensity_scale, rgb_factor, scaled_colour, to_uint16
+
+UNMOVED = np.vstack([np.zeros(3), np.eye(3)])
+"""Position and axes of a scanner in its own system, as programs write them that leave these lines out."""
+
+LARGEST_DIFFERENCE = 1e-2
+"""Metres, and parts of 1 of an axis: what rounding to two decimals leaves."""
 
 WIDTHS = (3, 4, 7)
 """Numbers in the line of a cell: x y z, then intensity, then red green blue."""
@@ -75,7 +81,7 @@ class PtxSource(Source):
         return cls(
             path=path,
             crs=None,
-            warnings=(*((doubt,) if doubt else ()), *step_warning(path, sample[:, :3])),
+            warnings=(*((doubt,) if doubt else ()), *coordinate_warnings(path, sample[:, :3])),
             middle=np.median(first[:, :3], axis=0),
             has_intensity=width > 3,
             has_rgb=width == 7,
@@ -196,11 +202,24 @@ def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int,
         raise InputError(
             f"The pose of the scan in line {first} of {path} {problem}; export the scan again with its pose."
         )
-    doubt = pose_doubt(pose[:3, :3].T)
+    doubt = pose_doubt(pose[:3, :3].T) or _contradiction(lines[2:6], pose)
     sentence = (
         f"The pose of the scan in line {first} of {path} {doubt}; check how it was exported." if doubt else ""
     )
     return int(lines[0]) * int(lines[1]), pose, last, sentence
+
+
+def _contradiction(lines: list[str], pose: np.ndarray) -> str:
+    """Return how the position and axes of the scanner differ from the pose; nothing if they are not given."""
+    try:
+        stated = np.array([[float(word) for word in line.split()] for line in lines])
+    except ValueError:
+        return ""
+    given = stated.any() and not np.array_equal(stated, UNMOVED)
+    apart = np.linalg.norm(stated[0] - pose[3, :3])
+    if not given or np.allclose(stated, pose[[3, 0, 1, 2], :3], rtol=0, atol=LARGEST_DIFFERENCE):
+        return ""
+    return f"differs from the position and axes of the scanner above it, by {apart:.3g} m in position"
 
 
 def _width(path: Path, line: str, number: int) -> int:

@@ -14,7 +14,7 @@ from ...tables.dialect import is_row
 from ...tables.encoding import WIDE, damaged
 from ..settings import ReadingSettings, TextSettings
 from ..source import Chunk, Source, truncated, unreadable
-from .coordinate_steps import step_warning
+from .coordinate_steps import coordinate_warnings
 from .line_samples import sample_lines
 from .text_layout import Layout, read_layout
 from .text_rows import RowParser
@@ -59,7 +59,8 @@ class TextSource(Source):
         return cls(
             path=path,
             crs=None,
-            warnings=layout.warnings + step_warning(path, sample[:, :3] / layout.metres, layout.metres),
+            warnings=layout.warnings
+            + coordinate_warnings(path, sample[:, :3] / layout.metres, layout.metres),
             middle=layout.middle,
             has_intensity=columns.intensity is not None,
             has_rgb=columns.rgb is not None,

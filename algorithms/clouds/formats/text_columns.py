@@ -90,6 +90,11 @@ def columns_by_count(
                 f"The first column of {path} can be x, or the number or time of a point; name the columns in "
                 "a first line, as 'x y z intensity' or 'time x y z'."
             )
+        elif _may_be_indices(values, numeric):
+            raise InputError(
+                f"The first two columns of {path} can be x and y, or the row and the column in the scan; "
+                "name the columns in a first line, as 'row column x y z'."
+            )
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as x y z.")
     xyz, extra = tuple(numeric[:3]), numeric[3:]
@@ -209,6 +214,18 @@ def _may_be_label(
     fractional = np.all(np.any(values[:, numeric[1:4]] % 1 > 0, axis=0))
     rises = len(first) >= settings.fewest_for_agreement and bool(np.all(np.diff(first) > 0))
     return bool(whole and fractional) or rises
+
+
+def _may_be_indices(values: np.ndarray, numeric: list[int]) -> bool:
+    """Whether the first two columns may be the row and the column of each point in its scan.
+
+    They are whole, the next three have decimals, and these are no shares of 1.
+    """
+    if len(numeric) < 5:
+        return False
+    indices, others = values[:, numeric[:2]], values[:, numeric[2:5]]
+    whole = np.all(indices % 1 == 0) and np.all(indices >= 0)
+    return bool(whole and np.all(np.any(others % 1 > 0, axis=0)) and np.all(np.abs(others).max(axis=0) > 1))
 
 
 def _looks_like_colour(values: np.ndarray) -> bool:

@@ -10,10 +10,10 @@ import numpy as np
 from rasterio.crs import CRS
 
 from ...clouds.formats import format_of
-from ...clouds.formats.coordinate_steps import step_warning
+from ...clouds.formats.coordinate_steps import step_warning, unit_warning
 from ...clouds.source import unreadable
 from ...errors import InputError
-from .point_layer import SUFFIXES, Feature, list_name, read_features, read_layer
+from .point_layer import LOWEST_M, SUFFIXES, Feature, list_name, read_features, read_layer
 from .point_rows import Rows
 from .point_text import read_text
 from .settings import ListSettings
@@ -151,11 +151,28 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         xyz=rows.xyz[kept],
         named=rows.names is not None,
         crs=rows.crs,
-        warnings=(*rows.warnings, *merged, *step_warning(Path(rows.source), rows.xyz)),
+        warnings=(
+            *rows.warnings,
+            *merged,
+            *step_warning(Path(rows.source), rows.xyz),
+            *unit_warning(Path(rows.source), rows.xyz),
+            *_unknown_heights(rows.source, [names[row] for row in kept], rows.xyz[kept, 2]),
+        ),
         path=path,
         origins=tuple(rows.origins[row] for row in kept) if rows.origins else (),
         stds=None if rows.stds is None else rows.stds[kept],
         covariances=None if rows.covariances is None else rows.covariances[kept],
+    )
+
+
+def _unknown_heights(source: str, names: list[str], heights: np.ndarray) -> tuple[str, ...]:
+    """Return a sentence if heights stand for ones that are not known."""
+    unknown = [name for name, height in zip(names, heights) if height < LOWEST_M]
+    if not unknown:
+        return ()
+    return (
+        f"The height of {', '.join(unknown[:3])} in {source} is below {LOWEST_M:.0f} m, as of a point "
+        "whose height is not known; correct it, or leave the point out.",
     )
 
 

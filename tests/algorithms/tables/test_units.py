@@ -92,3 +92,20 @@ def test_a_field_may_be_a_unit_alone():
 def test_a_number_with_its_unit_is_not_a_unit():
     assert not is_unit("0.9 m")
     assert as_unit("900 mm") is None
+
+
+@pytest.mark.parametrize(
+    ("remark", "unit"),
+    [
+        ("# US Survey Feet", "feet"),
+        ("// mm", "mm"),
+        ("[m]", "m"),
+        ("International feet", "feet"),
+        ("# Millimetres", "millimetres"),
+        ("# Chain", None),
+        ("Hall", None),
+        ("# mm of rain", None),
+    ],
+)
+def test_a_remark_may_be_a_unit_alone(remark, unit):
+    assert unit_of_remark(remark) == unit

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.formats.coordinate_steps import step_warning
+from ichnograph.algorithms.clouds.formats.coordinate_steps import height_warning, step_warning, unit_warning
 
 PATH = Path("scan.ply")
 NATIONAL = np.array([412345.0, 5812345.0, 71.0])
@@ -45,3 +45,19 @@ def test_the_unit_of_the_file_counts():
 def test_coordinates_that_are_rounded_to_metres_have_no_single_precision(step):
     whole = np.round((100 * points() + NATIONAL) / step) * step
     assert step_warning(PATH, whole) == ()
+
+
+def test_whole_numbers_over_more_than_a_hundred_may_be_millimetres():
+    millimetres = np.round(1000 * points())
+    assert "are whole numbers, which were read as metres" in unit_warning(PATH, millimetres)[0]
+    assert unit_warning(PATH, millimetres, (1e-3, 1e-3, 1e-3)) == ()
+    assert unit_warning(PATH, np.round(10 * points() / np.ptp(points()))) == ()
+    assert unit_warning(PATH, millimetres + [0.5, 0, 0]) == ()
+
+
+def test_a_cloud_higher_than_any_building_may_be_in_millimetres():
+    heights = np.linspace(0, 2.5, 100)
+    assert "reach over 2450 m in height" in height_warning(PATH, 1000 * heights)[0]
+    assert height_warning(PATH, heights) == ()
+    # A single stray point is not the height of the cloud.
+    assert height_warning(PATH, np.append(heights, 5000)) == ()

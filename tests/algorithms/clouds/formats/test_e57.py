@@ -316,3 +316,13 @@ def test_an_error_of_the_library_without_a_text_is_one_sentence(tmp_path):
     path.write_bytes(with_checksums(bytes(data)))
     with pytest.raises(InputError, match=r"truncated or damaged \(its parts contradict each other\)"):
         read(path)
+
+
+def test_a_scan_without_pose_among_others_is_said(tmp_path):
+    points = np.random.default_rng(0).random((9, 3))
+    fields = dict(zip(("cartesianX", "cartesianY", "cartesianZ"), points.T))
+    posed = {**fields, "pose": ((1, 0, 0, 0), (5, 0, 0))}
+
+    assert "Scan 2 of" in E57Source.open(write_e57(tmp_path / "a.e57", posed, points)).warnings[0]
+    assert E57Source.open(write_e57(tmp_path / "b.e57", points, points)).warnings == ()
+    assert E57Source.open(write_e57(tmp_path / "c.e57", posed, posed)).warnings == ()

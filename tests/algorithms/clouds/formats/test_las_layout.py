@@ -65,3 +65,16 @@ def test_a_record_after_the_points_that_is_longer_than_the_file_is_refused(tmp_p
     assert layout(path).count == 300
     with pytest.raises(InputError, match="a record after its points announces more than there is"):
         layout(changed(path, start + 20, "<Q", 2**40))
+
+
+@pytest.mark.parametrize("point_format", [0, 3, 4, 6, 9])
+def test_points_behind_those_that_the_header_announces_are_said(tmp_path, point_format):
+    header, points = las_records(300, point_format)
+    if point_format >= 6:
+        header.version = laspy.header.Version(1, 4)
+    path = write_las(tmp_path / "scan.las", header, points)
+    assert count_warning(path) == ()
+    fields = [(107, "<I")] if point_format < 6 else [(247, "<Q")]
+    for position, code in fields:
+        changed(path, position, code, 280)
+    assert "announces 280 points, but 20 more follow" in count_warning(path)[0]

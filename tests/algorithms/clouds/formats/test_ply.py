@@ -219,3 +219,20 @@ def test_decimals_in_a_property_of_whole_numbers_are_refused(tmp_path):
 @pytest.mark.parametrize("name", ["Amplitude", "scalar_Reflectance", "Intensity"])
 def test_intensity_has_the_names_of_the_other_formats(tmp_path, name):
     assert PlySource.open(write_ply(tmp_path / "a.ply", vertices(**{name: [0.5, 1, 0]}))).intensity == name
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_points_behind_those_that_the_header_announces_are_said(tmp_path, encoding):
+    path = write_ply(tmp_path / "a.ply", np.random.default_rng(0).random((9, 3)), encoding)
+    assert PlySource.open(path).warnings == ()
+    path.write_bytes(path.read_bytes().replace(b"element vertex 9", b"element vertex 7"))
+
+    assert "announces 7 points, but more follow" in PlySource.open(path).warnings[0]
+
+
+def test_faces_behind_the_vertices_are_no_points(tmp_path):
+    faces = "element face 1\nproperty list uchar int vertex_indices\n"
+    path = write_ply(tmp_path / "a.ply", np.random.default_rng(0).random((9, 3)), "ascii", after=faces)
+    path.write_bytes(path.read_bytes() + b"3 0 1 2\n")
+
+    assert PlySource.open(path).warnings == ()

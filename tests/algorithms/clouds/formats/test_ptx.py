@@ -215,3 +215,28 @@ def test_a_line_of_any_blanks_is_blank(tmp_path):
     path = write_ptx(tmp_path / "a.ptx", CELLS)
     path.write_text(path.read_text() + "\x0b\x1a\n")
     assert len(read(path)[0]) == 2
+
+
+def with_header(path, first, lines):
+    """Replace lines of a file, from number `first`, counted from 0."""
+    written = path.read_text().splitlines()
+    written[first : first + len(lines)] = lines
+    path.write_text("\n".join(written) + "\n")
+    return path
+
+
+def test_a_position_of_the_scanner_that_contradicts_the_pose_is_said(tmp_path):
+    path = with_header(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN)), 2, ["100 200 290"])
+
+    assert (
+        "differs from the position and axes of the scanner above it, by 10 m"
+        in PtxSource.open(path).warnings[0]
+    )
+
+
+@pytest.mark.parametrize("axes", ["0 0 0", "1 0 0"])
+def test_a_position_of_the_scanner_that_is_left_out_says_nothing(tmp_path, axes):
+    lines = ["0 0 0", axes, axes.replace("1 0", "0 1"), "0 0 1" if "1" in axes else "0 0 0"]
+    path = with_header(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN)), 2, lines)
+
+    assert PtxSource.open(path).warnings == ()

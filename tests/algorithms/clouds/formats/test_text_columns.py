@@ -136,3 +136,12 @@ def test_colour_is_recognised_by_its_values_elsewhere_if_the_beginning_is_black(
     assert columns_by_count(SCAN, rows, values)[0].rgb is None
     elsewhere = np.array([[1.5, 2.5, 3.5, 200, 10, 30]])
     assert columns_by_count(SCAN, rows, values, elsewhere=elsewhere)[0].rgb == (3, 4, 5)
+
+
+def test_rows_and_columns_of_a_scan_before_the_coordinates_are_asked_for():
+    rows = [f"{n // 5} {n % 5} {n}.25 {2 * n}.5 {n % 3}.125 {n} {n} {n}" for n in range(20)]
+    with pytest.raises(InputError, match="can be x and y, or the row and the column in the scan"):
+        by_count(*rows)
+    # Whole metres with colours of parts of 1 are a grid.
+    grid = [f"{n // 5} {n % 5} {n}.25 0.{n} 0.5{n} 0.25" for n in range(20)]
+    assert by_count(*grid)[0].xyz == (0, 1, 2)

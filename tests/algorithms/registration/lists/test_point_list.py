@@ -137,3 +137,10 @@ def test_coordinates_that_went_through_single_precision_are_said(tmp_path):
         np.savetxt(tmp_path / "a.txt", xyz, "%.4f")
         warnings = read_point_list(tmp_path / "a.txt").warnings
         assert any("have single precision" in sentence for sentence in warnings) == said
+
+
+def test_heights_that_stand_for_unknown_ones_are_said(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("name,x,y,z\nA,1.5,2.5,3.5\nB,2.5,3.5,-9999\nC,7.5,8.5,9.5\n")
+
+    assert f"The height of B in {path} is below -1000 m" in read_point_list(path).warnings[0]
