@@ -15,7 +15,7 @@ from PIL import Image
 
 ROOT = Path(__file__).parents[2]
 LIMIT = 900
-"""Seconds; it takes three minutes, and longer on a computer that is busy. A window that waits takes for ever."""
+"""Seconds; it takes three minutes, longer on a computer that is busy, and for ever if a window waits."""
 
 pytestmark = [
     pytest.mark.skipif(not os.environ.get("DESKTOP"), reason="the desktop is run by make desktop"),
