@@ -85,7 +85,7 @@ def measure_facade(
         # The wall takes longest, most of it without the lock of Python, and is not needed before the borders
         # of the openings are traced.
         rows = np.flatnonzero(segmentation.labels == 1)
-        found = pool.submit(make_surface, scene.uvw, rows, settings)
+        found = pool.submit(make_surface, scene.uvw, rows, settings, progress)
         states = make_states(
             scene.uvw, segmentation.labels == 1, settings.distance_m, side.inner, settings.openings
         )

@@ -3,9 +3,12 @@
 import numpy as np
 
 from ...geometry.triangulation import Mesh, triangulate
+from ...progress import Progress
 
 
-def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int, rings: int = 3) -> np.ndarray:
+def remove_noise(
+    mesh: Mesh, factor: float, count: int, rounds: int, rings: int = 3, progress: Progress = Progress()
+) -> np.ndarray:
     """Return which points of a region are kept.
 
     A point is noise if it belongs to more than `count` (eta) triangles that are larger than `factor` times
@@ -24,6 +27,8 @@ def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int, rings: int 
         At most; about 10 in the paper.
     rings : int
         Rings of neighbours around removed points that are triangulated again.
+    progress : Progress
+        Asked before each round whether to go on.
 
     Returns
     -------
@@ -34,6 +39,7 @@ def remove_noise(mesh: Mesh, factor: float, count: int, rounds: int, rings: int 
     judged, around = np.arange(len(points)), np.arange(len(points))
     largest = factor * float(mesh.areas.mean()) if len(mesh.triangles) else 0.0
     for _ in range(rounds):
+        progress.check()
         large = mesh.triangles[mesh.areas > largest]
         attached = np.bincount(large.ravel(), minlength=len(around)) > count
         removed = np.intersect1d(around[attached], judged, assume_unique=True)

@@ -8,6 +8,7 @@ from shapely.geometry import MultiPolygon, Polygon
 from skimage.measure import points_in_poly
 
 from ...geometry.triangulation import Links, Mesh, triangulate
+from ...progress import Progress
 from ..settings import FacadeSettings
 from .alpha_shape import alpha_of, outline_of
 from .denoising import remove_noise
@@ -57,7 +58,12 @@ class Surface:
         return float(np.median(self.mesh.spacings[np.isfinite(self.mesh.spacings)]))
 
 
-def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = FacadeSettings()) -> Surface:
+def make_surface(
+    uvw: np.ndarray,
+    rows: np.ndarray,
+    settings: FacadeSettings = FacadeSettings(),
+    progress: Progress = Progress(),
+) -> Surface:
     """Return the surface of the points of a plane, without noise.
 
     Parameters
@@ -67,19 +73,24 @@ def make_surface(uvw: np.ndarray, rows: np.ndarray, settings: FacadeSettings = F
         Of the points of the plane.
     settings : FacadeSettings
         delta, eta, the number of rounds, and alpha.
+    progress : Progress
+        Asked between the steps whether to go on, because a thread cannot be interrupted.
     """
     rows = rows[np.lexsort(uvw[rows, :2].T)]
     mesh = triangulate(uvw[rows, :2])
+    progress.check()
     if settings.alpha_m is None:
         alphas = alpha_of(mesh, settings.outlines)
     else:
         alphas = np.full(len(mesh.triangles), settings.alpha_m)
+    progress.check()
     clean = remove_noise(
         mesh,
         settings.triangle_factor,
         settings.triangle_count,
         settings.noise_iterations,
         settings.outlines.noise_rings,
+        progress,
     )
     kept = (mesh.circumradii <= alphas) & clean[mesh.triangles].all(axis=1)
     sizes = np.bincount(mesh.triangles[kept].ravel(), np.repeat(mesh.areas[kept], 3) / 3, len(rows))

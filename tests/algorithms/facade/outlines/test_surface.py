@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.errors import CancelledError
 from ichnograph.algorithms.facade.outlines.surface import make_surface
 from ichnograph.algorithms.facade.settings import FacadeSettings
+from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.facade.samples import lattice, without
 
 
@@ -39,3 +41,10 @@ def test_a_given_alpha_is_used_and_another_follows_the_spacing():
 
     assert make_surface(uvw, np.arange(800), FacadeSettings(alpha_m=0.3)).alpha == 0.3
     assert make_surface(uvw, np.arange(800)).alpha == pytest.approx(1.8 * 0.05, rel=0.01)
+
+
+def test_a_cancelled_run_does_not_finish_the_surface():
+    uvw = np.random.default_rng(0).random((200, 3))
+
+    with pytest.raises(CancelledError):
+        make_surface(uvw, np.arange(200), progress=Progress(is_cancelled=lambda: True))
