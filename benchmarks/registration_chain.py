@@ -4,6 +4,10 @@ Twenty scans in a row: only the first sees surveyed points, the others are regis
 before. The ratio of the true errors to the predicted standard deviations (root mean square over all chains)
 is 1 if the covariance of appended points is propagated correctly: once for each scan after the other, and
 once after the block adjustment.
+
+With --surfaces, the scans are also tied by the surfaces of the rooms, seen from the doors between them. The
+drift is the error at the end as the first scan sees it: nothing in the chain shows how the first scan
+stands on the surveyed points.
 """
 
 import argparse
@@ -13,8 +17,10 @@ from typing import Optional
 import numpy as np
 from ichnograph.algorithms.registration.adjustment.control_network import ControlNetwork
 from ichnograph.algorithms.registration.registration import reduced, register_scans
+from ichnograph.algorithms.registration.results import Registration
 from ichnograph.algorithms.registration.sequential_registration import register_in_sequence
 from ichnograph.algorithms.registration.settings import Settings
+from ichnograph.tests.scenes.surface_rooms import chain_surfaces
 from ichnograph.tests.scenes.target_chain import TargetChain, target_chain
 
 LENGTH = 20
@@ -24,7 +30,13 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
     """Run the chains and print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--chains", type=int, default=100)
-    chains = parser.parse_args(arguments).chains
+    parser.add_argument("--surfaces", action="store_true", help="tie the scans by surfaces; takes minutes")
+    parser.add_argument("--step", type=float, default=0.25, help="between rays, degrees (with --surfaces)")
+    given = parser.parse_args(arguments)
+    chains = given.chains
+    if given.surfaces:
+        _with_surfaces(chains, given.step)
+        return
     print("| control points | adjustment | chains | true / predicted | largest error (m) |")
     print("|---|---|---|---|---|")
     for control_sigma in (0.0, 0.003):
@@ -39,6 +51,34 @@ def main(arguments: Optional[Sequence[str]] = None) -> None:
             ratios, lengths = np.array(errors).T
             ratio = np.sqrt(np.mean(ratios**2))
             print(f"| {kind} | {adjustment} | {chains} | {ratio:.2f} | {lengths.max():.3f} |")
+
+
+def _with_surfaces(chains: int, step_deg: float) -> None:
+    """Run chains by targets alone and with surfaces, and print the table."""
+    print("| tied by | chains | true / predicted | largest error (m) | drift rms (m) | largest drift (m) |")
+    print("|---|---|---|---|---|---|")
+    results: dict[str, list[tuple[float, float, float]]] = {"targets": [], "targets and surfaces": []}
+    for seed in range(chains):
+        chain = target_chain(LENGTH, seed)
+        surfaces = chain_surfaces(chain, seed, step_deg)
+        for kind, own in zip(results, ({}, surfaces)):
+            registration = register_scans(chain.control, chain.scans, Settings(), surfaces=own)
+            drift = _drift(registration, chain)
+            results[kind] += [(*item, drift) for item in _at_the_end(registration, chain)]
+    for kind, errors in results.items():
+        ratios, lengths, drifts = np.array(errors).T
+        print(
+            f"| {kind} | {chains} | {np.sqrt(np.mean(ratios**2)):.2f} | {lengths.max():.3f} | "
+            f"{np.sqrt(np.mean(drifts**2)):.3f} | {drifts.max():.3f} |"
+        )
+
+
+def _drift(registration: Registration, chain: TargetChain) -> float:
+    """Return how far the last scan is from where it is for the first, metres."""
+    first, last = registration.scans[0], registration.scans[-1]
+    middle = (*chain.scans[-1].xyz.mean(axis=0), 1.0)
+    moved = chain.matrices[first.name] @ np.linalg.inv(first.matrix) @ last.matrix
+    return float(np.linalg.norm(((moved - chain.matrices[last.name]) @ middle)[:3]))
 
 
 def _one_by_one(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
@@ -58,11 +98,14 @@ def _one_by_one(chain: TargetChain, settings: Settings) -> list[tuple[float, flo
 
 
 def _in_one_block(chain: TargetChain, settings: Settings) -> list[tuple[float, float]]:
+    return _at_the_end(register_scans(chain.control, chain.scans, settings), chain)
+
+
+def _at_the_end(registration: Registration, chain: TargetChain) -> list[tuple[float, float]]:
     last = chain.scans[-1].name
-    points = register_scans(chain.control, chain.scans, settings).points
     return [
         _compared(point.position, point.covariance, chain, point.name.split(":")[1])
-        for point in points
+        for point in registration.points
         if point.origin == last
     ]
 

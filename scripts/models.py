@@ -31,8 +31,8 @@ from qgis.PyQt.QtCore import QPointF
 MODELS = Path(__file__).parents[1] / "processing_provider" / "models"
 GROUP = "Models"
 
-Value = Union[str, tuple[str, str], float, int]
-"""The name of an input, a step and one of its outputs, or a number."""
+Value = Union[str, list[str], tuple[str, str], float, int]
+"""The name of an input, or of several, a step and one of its outputs, or a number."""
 
 
 def main() -> None:
@@ -50,15 +50,18 @@ def main() -> None:
 def _site_plan() -> QgsProcessingModelAlgorithm:
     return _model(
         "Control points and scans to site plan",
-        "Scans are registered by their targets, transformed to the control points, and drawn as a site plan.",
+        "Targets are found in the scans, or read from lists. Scans are registered by them, transformed to "
+        "the control points, and drawn as a site plan.",
         [
-            _files("TARGETS", "Targets, one list for each scan"),
+            _files(
+                "TARGETS", "Targets, one list for each scan; found in scans without a list", optional=True
+            ),
             QgsProcessingParameterFile("CONTROL", "Control points"),
-            _files("SCANS", "Scans, named like their lists"),
+            _files("SCANS", "Scans; a scan has the name of its list"),
             QgsProcessingParameterCrs("SYSTEM", "Reference system of the control points", optional=True),
         ],
         {
-            "registerscans": {"CONTROL": "CONTROL", "TARGETS": "TARGETS", "CRS": "SYSTEM"},
+            "registerscans": {"CONTROL": "CONTROL", "TARGETS": ["TARGETS", "SCANS"], "CRS": "SYSTEM"},
             "transformcloud": {"INPUT": "SCANS", "TRANSFORMS": ("registerscans", "TRANSFORMS")},
             "siteplan": {"INPUT": ("transformcloud", "CLOUDS")},
         },
@@ -144,7 +147,8 @@ def _step(
     for definition in child.algorithm().parameterDefinitions():
         value = values.get(definition.name(), definition.defaultValue())
         if not definition.isDestination() and value is not None:
-            child.addParameterSources(definition.name(), [_source(value, names)])
+            several = value if isinstance(value, list) else [value]
+            child.addParameterSources(definition.name(), [_source(item, names) for item in several])
     made = {}
     for row, (name, label) in enumerate(outputs.items()):
         output = QgsProcessingModelOutput(label, label)
@@ -163,8 +167,9 @@ def _source(value: Any, names: set[str]) -> QgsProcessingModelChildParameterSour
     return kinds.fromModelParameter(value) if value in names else kinds.fromStaticValue(value)
 
 
-def _files(name: str, label: str) -> QgsProcessingParameterMultipleLayers:
-    return QgsProcessingParameterMultipleLayers(name, label, QgsProcessing.SourceType.TypeFile)
+def _files(name: str, label: str, optional: bool = False) -> QgsProcessingParameterMultipleLayers:
+    files = QgsProcessing.SourceType.TypeFile
+    return QgsProcessingParameterMultipleLayers(name, label, files, optional=optional)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """The registration of all scans: one after the other as far as the points reach, then in one block."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from .matching.matching_task import coincident
 from .results import GlobalTest, Registration
 from .sequential_registration import register_in_sequence
 from .settings import Settings
+from .surfaces.patches import Surfaces
+from .surfaces.refinement import Refined, refine
 
 
 def register_scans(
@@ -23,12 +26,13 @@ def register_scans(
     scans: Sequence[PointList],
     settings: Settings = Settings(),
     progress: Progress = Progress(),
+    surfaces: Mapping[str, Surfaces] = MappingProxyType({}),
 ) -> Registration:
     """Identify the control points behind the targets, and compute the transformation of every scan.
 
     Scans that match surveyed points are registered first. Their unmatched targets are appended to the control
-    points, to which further scans may be registered. Finally all are adjusted in one block. Neither the order
-    of the scans nor that of the rows of a list matters.
+    points, to which further scans may be registered. Finally all are adjusted in one block, with the surfaces
+    that they share. Neither the order of the scans nor that of the rows of a list matters.
 
     Parameters
     ----------
@@ -36,6 +40,8 @@ def register_scans(
     scans : sequence of PointList
     settings : Settings
     progress : Progress
+    surfaces : mapping of str to Surfaces
+        By the names of the scans, in their frames; empty to adjust by the targets alone.
 
     Raises
     ------
@@ -51,7 +57,8 @@ def register_scans(
     frames = Frames(origin, {name: start for name, (_, start) in near.items()})
     network = ControlNetwork.of_list(own, settings.control_sigma)
     lists = {name: scan for name, (scan, _) in near.items()}
-    sequence = register_in_sequence(lists, network, settings, progress.part(0.0, 0.9))
+    ready = 0.5 if surfaces else 0.9
+    sequence = register_in_sequence(lists, network, settings, progress.part(0.0, ready))
     registration = Registration(
         settings=settings,
         tolerance=settings.distance_tolerance,
@@ -68,14 +75,22 @@ def register_scans(
     )
     if not sequence.placed:
         return replace(registration, scans=tuple(refused_scan(scan, sequence) for scan in scans))
-    progress.update(0.9, "Adjusting all scans in one block")
-    evaluation = Evaluation(sequence, adjust_block(sequence, settings), settings, frames)
+    progress.update(ready, "Adjusting all scans in one block")
+    refined = Refined(adjust_block(sequence, settings))
+    if surfaces:
+        moved = {name: item.shifted(-near[name][1]) for name, item in surfaces.items() if name in near}
+        refined = refine(sequence, refined.adjusted, moved, settings, progress.part(ready, 1.0))
+    evaluation = Evaluation(sequence, refined.adjusted, settings, frames)
     progress.update(1.0)
     return replace(
         registration,
-        scans=evaluation.scans(scans),
+        scans=tuple(
+            replace(scan, surfaces=refined.changes.get(scan.name)) for scan in evaluation.scans(scans)
+        ),
         points=evaluation.points(control),
         test=evaluation.test,
+        warnings=(*registration.warnings, *refined.warnings),
+        surfaces=refined.shared,
     )
 
 

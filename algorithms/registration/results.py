@@ -117,6 +117,52 @@ class GlobalTest:
 
 
 @dataclass(frozen=True)
+class SurfaceChange:
+    """How the surfaces that a scan shares with others changed the pose that its targets gave it.
+
+    Attributes
+    ----------
+    shift : float
+        The farthest that a target moved, metres.
+    sigmas : float
+        The root mean square change of the parameters, in standard deviations by the targets alone.
+    std : float
+        The largest standard deviation of a target by the targets alone, metres.
+    used : bool
+        False if the targets rule the change out, so that it was not made.
+    """
+
+    shift: float
+    sigmas: float
+    std: float
+    used: bool
+
+
+@dataclass(frozen=True)
+class SharedSurfaces:
+    """The surfaces that two scans share.
+
+    Attributes
+    ----------
+    scans : tuple of str
+    overlap : float
+        The part of the surface cells of the scan with fewer that has a partner in the other, 0..1.
+    patches : int
+        Of about a metre.
+    rms : float
+        Root mean square distance of the patches after the adjustment, metres.
+    free : ndarray, shape (k, 3)
+        Directions in the control frame along which the scans slide, because hardly any patch faces them.
+    """
+
+    scans: tuple[str, str]
+    overlap: float
+    patches: int
+    rms: float
+    free: np.ndarray
+
+
+@dataclass(frozen=True)
 class ScanRegistration:
     """One scan; unless `status` is `REGISTERED`, all that belongs to a transformation is None or empty.
 
@@ -152,6 +198,8 @@ class ScanRegistration:
     warnings : tuple of str
     targets : int
         The number of targets in the list.
+    surfaces : SurfaceChange or None
+        None if surfaces do not tie the scan to others.
     """
 
     name: str
@@ -171,6 +219,7 @@ class ScanRegistration:
     round: Optional[int] = None
     rivals: tuple[dict[str, str], ...] = ()
     warnings: tuple[str, ...] = ()
+    surfaces: Optional[SurfaceChange] = None
 
     @property
     def registered(self) -> bool:
@@ -224,6 +273,8 @@ class Registration:
         Of the block adjustment.
     crs : CRS or None
     warnings : tuple of str
+    surfaces : tuple of SharedSurfaces
+        Of the pairs of scans that surfaces tie.
     """
 
     settings: Settings
@@ -233,6 +284,7 @@ class Registration:
     test: GlobalTest
     crs: Optional[CRS] = None
     warnings: tuple[str, ...] = ()
+    surfaces: tuple[SharedSurfaces, ...] = ()
 
     @property
     def registered(self) -> tuple[ScanRegistration, ...]:

@@ -9,6 +9,7 @@ from .adjustment.settings import AdjustmentSettings
 from .lists.settings import ListSettings
 from .matching.settings import MatchingSettings
 from .simulation.settings import SimulationSettings
+from .surfaces.settings import SurfaceSettings
 
 
 class Model(Enum):
@@ -69,6 +70,7 @@ class Settings:
     matches : MatchingSettings
     adjustment : AdjustmentSettings
     simulation : SimulationSettings
+    surfaces : SurfaceSettings
     """
 
     matching: Matching = Matching.DISTANCES
@@ -81,6 +83,7 @@ class Settings:
     matches: MatchingSettings = field(default=MatchingSettings())
     adjustment: AdjustmentSettings = field(default=AdjustmentSettings())
     simulation: SimulationSettings = field(default=SimulationSettings())
+    surfaces: SurfaceSettings = field(default=SurfaceSettings())
 
     @property
     def named(self) -> bool:

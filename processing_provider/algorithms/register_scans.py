@@ -16,15 +16,18 @@ from ..parameters.registration import (
     MATCHING,
     MAX_STD,
     MODEL,
+    REFINE,
+    SCANS,
     SIGMA,
     TARGETS,
     TOLERANCE,
     control_of,
     settings_of,
 )
+from ..scan_surfaces import surfaces_of_scans
 
 if TYPE_CHECKING:
-    from ...algorithms.registration.results import Registration, ScanRegistration
+    from ...algorithms.registration.results import Registration, ScanRegistration, SharedSurfaces
 
 
 class RegisterScansAlgorithm(Algorithm):
@@ -54,7 +57,7 @@ class RegisterScansAlgorithm(Algorithm):
         "tls",
     )
     needs = FOR_LAYERS
-    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS, MAX_STD)
+    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS, MAX_STD, REFINE, SCANS)
     destinations = (
         JsonDestination(
             "TRANSFORMS",
@@ -101,9 +104,15 @@ class RegisterScansAlgorithm(Algorithm):
             log.warn(
                 ["The control points have no coordinate reference system, so the results have none; set CRS."]
             )
-        settings, searched = settings_of(values), 0.9 if values["TARGETS"].clouds else 0.0
-        scans = lists_of(values["TARGETS"], settings.named, log, log.progress.part(0.0, searched))
-        registration = register_scans(control, scans, settings, log.progress.part(searched, 1.0))
+        settings, given = settings_of(values), values["TARGETS"]
+        searched = 0.8 if given.clouds else 0.0
+        read = searched + (1 - searched) / 2 if values["REFINE"] else searched
+        scans = lists_of(given, settings.named, log, log.progress.part(0.0, searched))
+        surfaces = {}
+        if values["REFINE"]:
+            clouds, progress = [*given.scans, *values["SCANS"]], log.progress.part(searched, read)
+            surfaces = surfaces_of_scans(clouds, scans, settings.surfaces, log, progress)
+        registration = register_scans(control, scans, settings, log.progress.part(read, 1.0), surfaces)
         _log(registration, log)
         if not registration.registered:
             reasons = " ".join(scan.reason for scan in registration.scans)
@@ -129,6 +138,8 @@ class RegisterScansAlgorithm(Algorithm):
 
 
 def _log(registration: "Registration", log: Log) -> None:
+    from ...algorithms.registration.output.report_scan import change_by_surfaces
+
     log.warn(registration.warnings)
     log.info(f"Tolerance of distances: {1000 * registration.tolerance:.1f} mm.")
     for scan in registration.scans:
@@ -136,7 +147,19 @@ def _log(registration: "Registration", log: Log) -> None:
             log.warn([f"{scan.name} is not registered ({scan.status}): {scan.reason}"])
         else:
             log.info(_line(scan, scan.test.sigma0))
+        if scan.surfaces is not None:
+            log.info(f"{scan.name}: {change_by_surfaces(scan.surfaces)}")
         log.warn(scan.warnings)
+    for shared in registration.surfaces:
+        log.info(_tie(shared))
+
+
+def _tie(shared: "SharedSurfaces") -> str:
+    one, other = shared.scans
+    return (
+        f"{one} and {other} share {shared.patches} patches of surface, an overlap of "
+        f"{100 * shared.overlap:.0f} %; after the adjustment they lie {1000 * shared.rms:.2f} mm apart (rms)."
+    )
 
 
 def _line(scan: "ScanRegistration", sigma0: float) -> str:

@@ -70,6 +70,10 @@ class FileListDefinition(_FilesDefinition, QgsProcessingParameterMultipleLayers)
         self.filters = filters
         self.setMetadata({"widget_wrapper": {"class": f"{WIDGETS}.FileListWrapper"}})
 
+    def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
+        optional = QgsProcessingParameterDefinition.Flag.FlagOptional
+        return bool(value) or bool(self.flags() & optional)
+
     def clone(self) -> QgsProcessingParameterDefinition:
         return _copy_of(self, FileListDefinition(self.name(), "", self.layerType(), self.filters))
 

@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterDefinition,
     QgsProcessingParameterFile,
     QgsProcessingParameterRasterLayer,
     QgsProcessingUtils,
@@ -21,24 +22,30 @@ from qgis.PyQt.QtCore import QFile
 from ...algorithms.clouds.formats import FORMATS
 from ...algorithms.errors import InputError
 from .definitions import FileListDefinition
-from .parameter import Parameter
+from .parameter import Parameter, marked
 
 CLOUD_FILTER = f"Point clouds ({' '.join(f'*{item.extension}' for item in FORMATS)})"
 
 
 @dataclass(frozen=True)
 class CloudFiles(Parameter):
-    """One or more point cloud files."""
+    """One or more point cloud files; none too if they are optional, as among the advanced parameters."""
+
+    optional: bool = False
 
     def _definition(self) -> FileListDefinition:
         files = QgsProcessing.SourceType.TypeFile
-        return FileListDefinition(self.name, self.description, files, CLOUD_FILTER)
+        definition = FileListDefinition(self.name, self.description, files, CLOUD_FILTER)
+        if self.optional:
+            definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagOptional)
+            return marked(definition)
+        return definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> list[str]:
         given = _files(parameters.get(self.name), context)
-        if not given:
+        if not given and not self.optional:
             raise InputError(f"{self.name} is empty; choose at least one point cloud file.")
         return [path for item in given for path in in_folder(item)]
 

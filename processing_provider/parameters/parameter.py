@@ -184,13 +184,15 @@ class Flag(Parameter):
 
     default: bool
     advanced: bool = True
+    optional: bool = False
 
     @property
     def explanation(self) -> str:
         return f"{self.help} Default {'yes' if self.default else 'no'}."
 
     def _definition(self) -> QgsProcessingParameterBoolean:
-        definition = QgsProcessingParameterBoolean(self.name, self.description, self.default)
+        # A flag that was added later is optional, because older models have no value for it.
+        definition = QgsProcessingParameterBoolean(self.name, self.description, self.default, self.optional)
         return marked(definition) if self.advanced else definition
 
     def value(

@@ -3,7 +3,7 @@
 # ruff: noqa: D102 - what overrides a method or property is described where that is.
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -78,10 +78,13 @@ class TargetFiles:
     lists : list of PointList
     clouds : list of str
         Paths of scans without a list of their name.
+    scans : list of str
+        Paths of all scans that were given.
     """
 
     lists: "list[PointList]"
     clouds: list[str]
+    scans: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,7 @@ class TargetListFiles(Parameter):
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
             raise InputError(f"{self.name} has two lists called {twice}; remove or rename one of them.")
-        return TargetFiles(lists, [path for path in clouds if not has_list(names, Path(path))])
+        return TargetFiles(lists, [path for path in clouds if not has_list(names, Path(path))], clouds)
 
     def sources(self, value: TargetFiles) -> list[str]:
         return [*(str(points.path) for points in value.lists if points.path), *value.clouds]

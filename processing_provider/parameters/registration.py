@@ -3,7 +3,8 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from .parameter import Choice, Number, ReferenceSystem
+from .files import CloudFiles
+from .parameter import Choice, Flag, Number, ReferenceSystem
 from .point_lists import PointListFile, TargetListFiles
 
 if TYPE_CHECKING:
@@ -93,6 +94,23 @@ MODEL = Choice(
         "Levelled with a scale near 1, 5 parameters",
         "Unknown scale, 7 parameters",
     ),
+)
+
+REFINE = Flag(
+    "REFINE",
+    "Tie scans by the surfaces that they share",
+    "Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with "
+    "the targets and never against them. Needs the clouds: in TARGETS or in SCANS.",
+    default=False,
+    optional=True,
+)
+
+SCANS = CloudFiles(
+    "SCANS",
+    "Clouds of the scans, to tie them by surfaces",
+    "The clouds of scans whose targets are given as lists; each is named after its list. Not needed for "
+    "scans that are in TARGETS. Used only if scans are tied by surfaces.",
+    optional=True,
 )
 
 CRS = ReferenceSystem(

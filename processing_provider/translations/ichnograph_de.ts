@@ -2565,6 +2565,12 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>Shared surfaces</source>
+        <translation>Gemeinsame Flächen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
         <source>Scale</source>
         <translation>Maßstab</translation>
@@ -2618,6 +2624,11 @@
         <location filename="../../algorithms/registration/output/report.py"/>
         <source>1 if surveyed points sufficed to register the scan, 2 if it needed points appended in round 1, and so on.</source>
         <translation>1, wenn eingemessene Punkte für die Registrierung des Scans genügten, 2, wenn er Neupunkte aus Runde 1 brauchte, und so weiter.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
+        <translation>Flächenstücke von etwa einem Meter, die zwei Scans gemeinsam haben; Überlappung: der Teil der Flächen des Scans mit weniger Flächen, den auch der andere hat; Abstand: wie weit die Stücke beider nach der Ausgleichung auseinanderliegen, als quadratisches Mittel; gleitet: ob sie eine Richtung frei lassen, die nur Zielmarken halten.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2696,6 +2707,19 @@
         <translation>gewählt</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
+        <location filename="../../algorithms/tables/column_names.py"/>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/output/report_figures.py"/>
         <source>, with 95 % ellipses drawn %1 times too large</source>
         <translation>, mit %1-fach vergrößerten 95-%-Ellipsen</translation>
@@ -2759,6 +2783,16 @@
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Appended to the control points: %1.</source>
         <translation>Als Neupunkte zu den Passpunkten hinzugefügt: %1.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Surfaces would move its targets by up to %1 mm, %2 standard deviations, and are not used; by the targets alone, the largest standard deviation is %3 mm.</source>
+        <translation>Flächen würden seine Zielmarken um bis zu %1 mm verschieben, %2 Standardabweichungen, und werden nicht verwendet; allein nach den Zielmarken ist die größte Standardabweichung %3 mm.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Surfaces moved its targets by up to %1 mm, %2 standard deviations; by the targets alone, the largest standard deviation is %3 mm.</source>
+        <translation>Flächen haben seine Zielmarken um bis zu %1 mm verschoben, %2 Standardabweichungen; allein nach den Zielmarken ist die größte Standardabweichung %3 mm.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -2946,6 +2980,36 @@
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
         <source>setting</source>
         <translation>Einstellung</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>other scan</source>
+        <translation>anderer Scan</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>patches</source>
+        <translation>Flächenstücke</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>overlap (%)</source>
+        <translation>Überlappung (%)</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>distance (mm)</source>
+        <translation>Abstand (mm)</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>slides</source>
+        <translation>gleitet</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>Surfaces that tie the scans to each other.</source>
+        <translation>Flächen, die die Scans miteinander verknüpfen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
@@ -3406,6 +3470,36 @@
         <translation>Herbig, Mayer, Mortada und Rasztovits 2013, Kapitel 5: Ergebnisse und Simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>Tying scans by their surfaces</source>
+        <translation>Scans werden durch ihre Flächen verknüpft</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which its targets rule out; they are not used. Look for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
+        <translation>Die Flächen, die %1 mit anderen Scans gemeinsam hat, würden ihn um %2 mm verschieben, %3 Standardabweichungen, was seine Zielmarken ausschließen; sie werden nicht verwendet. Nach Dingen suchen, die zwischen den Scans bewegt wurden, oder nach einer Punktwolke, die nicht die der Zielmarken ist.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 shares too few plane surfaces with another scan to be tied by them; its targets alone hold it.</source>
+        <translation>%1 hat mit einem anderen Scan zu wenige ebene Flächen gemeinsam, um durch sie verknüpft zu werden; allein seine Zielmarken halten ihn.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
+        <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie allein Zielmarken.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>up and down</source>
+        <translation>auf und ab</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>at an azimuth of %1 degrees</source>
+        <translation>in einem Azimut von %1 Grad</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/shapefile.py"/>
         <source>it cannot be read: %1</source>
         <translation>sie kann nicht gelesen werden: %1</translation>
@@ -3719,17 +3813,6 @@
         <location filename="../../algorithms/site_plan/output/plan_report.py"/>
         <source>%1 pixels</source>
         <translation>%1 Pixel</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
-        <location filename="../../algorithms/tables/column_names.py"/>
-        <source>no</source>
-        <translation>nein</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/output/plan_report.py"/>
@@ -5399,6 +5482,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>%1 and %2 share %3 patches of surface, an overlap of %4 %; after the adjustment they lie %5 mm apart (rms).</source>
+        <translation>%1 und %2 haben %3 Flächenstücke gemeinsam, eine Überlappung von %4 %; nach der Ausgleichung liegen sie %5 mm auseinander (rms).</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>, %1 accidental matches expected</source>
         <translation>, %1 zufällige Zuordnungen zu erwarten</translation>
     </message>
@@ -7014,6 +7102,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Tie scans by the surfaces that they share</source>
+        <translation>Scans durch gemeinsame Flächen verknüpfen</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Needs the clouds: in TARGETS or in SCANS.</source>
+        <translation>Wände, Böden und andere ebene Flächen, die zwei Scans sehen, verknüpfen die Scans miteinander, gemeinsam mit den Zielmarken und nie gegen sie. Braucht die Punktwolken: in TARGETS oder in SCANS.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Clouds of the scans, to tie them by surfaces</source>
+        <translation>Punktwolken der Scans, um sie durch Flächen zu verknüpfen</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>The clouds of scans whose targets are given as lists; each is named after its list. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
+        <translation>Die Punktwolken von Scans, deren Zielmarken als Listen angegeben sind; jede heißt wie ihre Liste. Nicht nötig für Scans, die in TARGETS stehen. Nur verwendet, wenn Scans durch Flächen verknüpft werden.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Coordinate reference system, if the control points have none</source>
         <translation>Koordinatenbezugssystem, wenn die Passpunkte keines haben</translation>
     </message>
@@ -7331,6 +7439,26 @@
         <location filename="../../processing_provider/provider.py"/>
         <source>Ichnograph: laser scans to site plans and elevations</source>
         <translation>Ichnograph: von Laserscans zu Grundrissen und Ansichten</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>REFINE needs the clouds of the scans; choose them in SCANS.</source>
+        <translation>REFINE braucht die Punktwolken der Scans; sie in SCANS wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
+        <translation>%1 wird nicht verwendet, um Scans zu verknüpfen, weil keine Liste von Zielmarken so heißt.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>Finding the surfaces of %1</source>
+        <translation>Flächen von %1 werden gesucht</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1: %2 plane cells.</source>
+        <translation>%1: %2 ebene Zellen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/styles/control_points.qml"/>

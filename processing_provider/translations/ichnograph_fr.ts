@@ -2565,6 +2565,12 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>Shared surfaces</source>
+        <translation>Surfaces communes</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
         <location filename="../../processing_provider/algorithms/plan_layout.py"/>
         <source>Scale</source>
         <translation>Échelle</translation>
@@ -2618,6 +2624,11 @@
         <location filename="../../algorithms/registration/output/report.py"/>
         <source>1 if surveyed points sufficed to register the scan, 2 if it needed points appended in round 1, and so on.</source>
         <translation>1 si les points levés ont suffi à recaler le scan, 2 s&#x27;il a fallu des points nouveaux de la passe 1, et ainsi de suite.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
+        <translation>Morceaux de surface d&#x27;environ un mètre que deux scans ont en commun ; recouvrement : la part des surfaces du scan qui en a le moins que l&#x27;autre a aussi ; distance : l&#x27;écart des morceaux des deux après la compensation, en moyenne quadratique ; glisse : s&#x27;ils laissent libre une direction que seules les cibles tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2696,6 +2707,19 @@
         <translation>choisi</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
+        <location filename="../../algorithms/tables/column_names.py"/>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/output/report_figures.py"/>
         <source>, with 95 % ellipses drawn %1 times too large</source>
         <translation>, avec les ellipses à 95 % agrandies %1 fois</translation>
@@ -2759,6 +2783,16 @@
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Appended to the control points: %1.</source>
         <translation>Ajoutés aux points d&#x27;appui comme points nouveaux : %1.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Surfaces would move its targets by up to %1 mm, %2 standard deviations, and are not used; by the targets alone, the largest standard deviation is %3 mm.</source>
+        <translation>Les surfaces déplaceraient ses cibles de %1 mm au plus, %2 écarts types, et ne sont pas utilisées ; d&#x27;après les seules cibles, le plus grand écart type est de %3 mm.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Surfaces moved its targets by up to %1 mm, %2 standard deviations; by the targets alone, the largest standard deviation is %3 mm.</source>
+        <translation>Les surfaces ont déplacé ses cibles de %1 mm au plus, %2 écarts types ; d&#x27;après les seules cibles, le plus grand écart type est de %3 mm.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -2946,6 +2980,36 @@
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
         <source>setting</source>
         <translation>réglage</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>other scan</source>
+        <translation>autre scan</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>patches</source>
+        <translation>morceaux</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>overlap (%)</source>
+        <translation>recouvrement (%)</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>distance (mm)</source>
+        <translation>écart (mm)</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>slides</source>
+        <translation>glisse</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/templates/registration.html"/>
+        <source>Surfaces that tie the scans to each other.</source>
+        <translation>Surfaces qui relient les scans entre eux.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/templates/registration.html"/>
@@ -3406,6 +3470,36 @@
         <translation>Herbig, Mayer, Mortada et Rasztovits 2013, chapitre 5 : résultats et simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>Tying scans by their surfaces</source>
+        <translation>Liaison des scans par leurs surfaces</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which its targets rule out; they are not used. Look for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
+        <translation>Les surfaces que %1 a en commun avec d&#x27;autres scans le déplaceraient de %2 mm, %3 écarts types, ce que ses cibles excluent ; elles ne sont pas utilisées. Chercher des objets déplacés entre les scans, ou un nuage qui n&#x27;est pas celui des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 shares too few plane surfaces with another scan to be tied by them; its targets alone hold it.</source>
+        <translation>%1 a trop peu de surfaces planes en commun avec un autre scan pour être relié par elles ; ses cibles seules le tiennent.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
+        <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seules les cibles les tiennent.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>up and down</source>
+        <translation>de haut en bas</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>at an azimuth of %1 degrees</source>
+        <translation>à un azimut de %1 degrés</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/shapefile.py"/>
         <source>it cannot be read: %1</source>
         <translation>il ne peut pas être lu : %1</translation>
@@ -3719,17 +3813,6 @@
         <location filename="../../algorithms/site_plan/output/plan_report.py"/>
         <source>%1 pixels</source>
         <translation>%1 pixels</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/output/plan_report.py"/>
-        <location filename="../../algorithms/tables/column_names.py"/>
-        <source>no</source>
-        <translation>non</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/output/plan_report.py"/>
@@ -5399,6 +5482,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>%1 and %2 share %3 patches of surface, an overlap of %4 %; after the adjustment they lie %5 mm apart (rms).</source>
+        <translation>%1 et %2 ont %3 morceaux de surface en commun, un recouvrement de %4 % ; après la compensation, leur écart est de %5 mm (rms).</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>, %1 accidental matches expected</source>
         <translation>, %1 appariements fortuits attendus</translation>
     </message>
@@ -7014,6 +7102,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Tie scans by the surfaces that they share</source>
+        <translation>Relier les scans par leurs surfaces communes</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Needs the clouds: in TARGETS or in SCANS.</source>
+        <translation>Murs, sols et autres surfaces planes que deux scans voient relient les scans entre eux, avec les cibles et jamais contre elles. Il faut les nuages : dans TARGETS ou dans SCANS.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Clouds of the scans, to tie them by surfaces</source>
+        <translation>Nuages des scans, pour les relier par des surfaces</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>The clouds of scans whose targets are given as lists; each is named after its list. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
+        <translation>Les nuages des scans dont les cibles sont données en listes ; chacun porte le nom de sa liste. Inutile pour les scans donnés dans TARGETS. Utilisé seulement si les scans sont reliés par des surfaces.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Coordinate reference system, if the control points have none</source>
         <translation>Système de coordonnées de référence, si les points d&#x27;appui n&#x27;en ont pas</translation>
     </message>
@@ -7331,6 +7439,26 @@
         <location filename="../../processing_provider/provider.py"/>
         <source>Ichnograph: laser scans to site plans and elevations</source>
         <translation>Ichnograph : des scans laser aux plans et élévations</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>REFINE needs the clouds of the scans; choose them in SCANS.</source>
+        <translation>REFINE a besoin des nuages des scans ; les choisir dans SCANS.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
+        <translation>%1 n&#x27;est pas utilisé pour relier les scans, car aucune liste de cibles ne porte son nom.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>Finding the surfaces of %1</source>
+        <translation>Recherche des surfaces de %1</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1: %2 plane cells.</source>
+        <translation>%1 : %2 cellules planes.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/styles/control_points.qml"/>

@@ -68,6 +68,7 @@ CONTRACT = {
     ),
     "registerscans": (
         {"CONTROL", "TARGETS", "MATCHING", "SIGMA", "CONTROL_SIGMA", "TOLERANCE", "MODEL", "CRS", "MAX_STD"}
+        | {"REFINE", "SCANS"}
         | REGISTRATION_FILES,
         {"SCANS_REGISTERED", "SIGMA0", "MAX_RESIDUAL", "TRANSFORMS_PAGE"} | REGISTRATION_FILES,
     ),

@@ -1,5 +1,6 @@
 """All scans and the points that they share, adjusted together; outliers are rejected one at a time."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Optional
 
@@ -8,6 +9,7 @@ import numpy as np
 from ..results import GlobalTest
 from ..sequential_registration import SequentialRegistration
 from ..settings import Settings
+from ..surfaces.tie import Tie
 from .least_squares import Block, Sighting, adjust
 from .statistical_tests import global_test, worst_target
 from .target_layout import fixes_pose, line_width
@@ -65,8 +67,32 @@ def adjust_block(sequence: SequentialRegistration, settings: Settings) -> Adjust
             spared.add((number, row))
 
 
+def adjust_tied(
+    sequence: SequentialRegistration,
+    rejected: tuple[Rejected, ...],
+    settings: Settings,
+    ties: Sequence[Tie],
+) -> Adjusted:
+    """Adjust all scans by the targets that were not rejected, and by the surfaces that they share.
+
+    No more targets are rejected: where surfaces contradict targets, the targets are right.
+
+    Parameters
+    ----------
+    sequence : SequentialRegistration
+    rejected : tuple of dict of int to ndarray, shape (3,)
+        As in `Adjusted`.
+    settings : Settings
+    ties : sequence of Tie
+    """
+    return _adjusted(sequence, rejected, settings, ties)
+
+
 def _adjusted(
-    sequence: SequentialRegistration, rejected: tuple[Rejected, ...], settings: Settings
+    sequence: SequentialRegistration,
+    rejected: tuple[Rejected, ...],
+    settings: Settings,
+    ties: Sequence[Tie] = (),
 ) -> Adjusted:
     used = _used(sequence, rejected)
     sightings = []
@@ -83,6 +109,7 @@ def _adjusted(
         settings.sigma,
         sequence.network.sigmas,
         settings.adjustment,
+        ties,
     )
     tests = tuple(
         global_test(float(item.squares.sum()), float(item.redundancy.sum()), settings.adjustment.tests)

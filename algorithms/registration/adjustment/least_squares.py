@@ -2,8 +2,8 @@
 
 Each coordinate of a target is an observation of its control point: v = m R B + T - A. The three of a target
 may be correlated. Control points that are not held fixed are unknowns too: those appended from scans, and
-surveyed points with a standard deviation, which are then observed as well. The normal equations are set up
-about the centres of the scans.
+surveyed points with a standard deviation, which are then observed as well. Surfaces that two scans see tie
+their poses. The normal equations are set up about the centres of the scans.
 """
 
 from collections.abc import Sequence
@@ -15,6 +15,7 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.sparse import bsr_matrix, csr_matrix
 
 from ..settings import Model
+from ..surfaces.tie import Tie
 from .gauss_newton import iterated
 from .settings import AdjustmentSettings, OutlierTestSettings
 from .similarity import Pose, moved_pose, parameter_design
@@ -91,9 +92,10 @@ class Block:
     control : Residuals
         Of the surveyed coordinates, nan in rows that are not observed.
     sum_of_squares : float
-        v'Pv.
-    redundancy : int
-        n - u.
+        v'Pv of targets and surveyed points. That of surfaces has no place in it: their standard deviations
+        come from their own scatter.
+    redundancy : float
+        n - u; with surfaces, the sum of the redundancy numbers of targets and surveyed points.
     """
 
     poses: tuple[Pose, ...]
@@ -103,7 +105,7 @@ class Block:
     targets: tuple[Residuals, ...]
     control: Residuals
     sum_of_squares: float
-    redundancy: int
+    redundancy: float
 
 
 def adjust(
@@ -114,8 +116,9 @@ def adjust(
     sigma: float,
     control_sigma: Union[float, np.ndarray] = 0.0,
     settings: AdjustmentSettings = AdjustmentSettings(),
+    ties: Sequence[Tie] = (),
 ) -> Block:
-    """Adjust scans to their control points.
+    """Adjust scans to their control points, and to each other by surfaces.
 
     Parameters
     ----------
@@ -130,12 +133,14 @@ def adjust(
     control_sigma : float or ndarray, shape (p,)
         The same of surveyed points; 0 where held fixed.
     settings : AdjustmentSettings
+    ties : sequence of Tie
+        Between scans, by their numbers among the sightings.
     """
     sigmas = np.broadcast_to(control_sigma, len(points))
     loose = (sigmas > 0) | ~surveyed
     seen = np.zeros(len(points), bool)
     seen[np.concatenate([item.points for item in sightings])] = True
-    system = _System(sightings, points, surveyed & seen, loose & seen, model, sigma, sigmas)
+    system = _System(sightings, points, surveyed & seen, loose & seen, model, sigma, sigmas, ties)
     return system.solved(settings)
 
 
@@ -151,8 +156,9 @@ class _System:
         model: Model,
         sigma: float,
         control_sigmas: np.ndarray,
+        ties: Sequence[Tie],
     ) -> None:
-        self.sightings, self.given, self.model = sightings, points, model
+        self.sightings, self.given, self.model, self.ties = sightings, points, model, ties
         self.loose = np.flatnonzero(loose)
         self.observed = np.flatnonzero(surveyed & loose)
         self.pose_unknowns = model.unknowns * len(sightings)
@@ -171,7 +177,7 @@ class _System:
         poses, points = unknowns
         self.columns, self.values = self._design(poses)
         self.weights = self._weights(poses)
-        step, self.cofactors = self._step(self.columns, self.values, self._residuals(poses, points))
+        step, self.cofactors = self._step(self._residuals(poses, points), poses)
         shares = step[: self.pose_unknowns].reshape(len(poses), -1)
         points = points.copy()
         points[self.loose] += step[self.pose_unknowns :].reshape(-1, 3)
@@ -214,21 +220,27 @@ class _System:
         first = self.first[points][:, None]
         return np.where(first < 0, -1, first + np.arange(3)).ravel()
 
-    def _step(
-        self, columns: np.ndarray, values: np.ndarray, residuals: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def _step(self, residuals: np.ndarray, poses: list[Pose]) -> tuple[np.ndarray, np.ndarray]:
         """Return x = (A'PA)^-1 A'Pl and the inverse, where l = -v (paper, eq. 3)."""
+        columns, values = self.columns, self.values
         rows = np.repeat(np.arange(len(columns)), columns.shape[1])
         shape = (len(columns), self.unknowns)
         design = csr_matrix((values.ravel(), (rows, np.maximum(columns, 0).ravel())), shape)
         count = len(self.weights)
         weighted = bsr_matrix((self.weights, np.arange(count), np.arange(count + 1))) @ design
-        normal = (design.T @ weighted).toarray()
+        normal, right = (design.T @ weighted).toarray(), weighted.T @ -residuals
+        width = self.model.unknowns
+        for tie in self.ties:
+            one, other = tie.scans
+            share = tie.equations(poses[one], poses[other], self.model)
+            rows = np.r_[np.arange(width) + one * width, np.arange(width) + other * width]
+            normal[np.ix_(rows, rows)] += share.normal
+            right[rows] += share.right
         # Shifts and angles differ in size by the extent of a scan; so scaled, they do not.
         sizes = np.sqrt(np.diag(normal))
         factor = cho_factor(normal / np.outer(sizes, sizes))
         cofactors = cho_solve(factor, np.eye(self.unknowns)) / np.outer(sizes, sizes)
-        return cofactors @ (weighted.T @ -residuals), cofactors
+        return cofactors @ right, cofactors
 
     def _block(self, poses: list[Pose], points: np.ndarray, tests: OutlierTestSettings) -> Block:
         cofactors, width = self.cofactors, self.model.unknowns
@@ -236,6 +248,7 @@ class _System:
         ends = np.cumsum([len(item.points) for item in self.sightings])
         parts = zip(*(np.split(each, ends) for each in (residuals, self.weights, self._adjusted())))
         kinds = [_tested(v, weights, adjusted, tests) for v, weights, adjusted in parts]
+        numbers = float(sum(kind.redundancy.sum() for kind in kinds))
         return Block(
             poses=tuple(poses),
             pose_cofactors=tuple(
@@ -246,7 +259,7 @@ class _System:
             targets=tuple(kinds[:-1]),
             control=self._of_all_points(kinds[-1]),
             sum_of_squares=float(sum(kind.squares.sum() for kind in kinds)),
-            redundancy=residuals.size - self.unknowns,
+            redundancy=numbers if self.ties else residuals.size - self.unknowns,
         )
 
     def _adjusted(self) -> np.ndarray:

@@ -6,7 +6,7 @@ from pathlib import Path
 from ...reporting.numbers import MISSING, number
 from ...reporting.page import write_page
 from ..adjustment.settings import OutlierTestSettings
-from ..results import ControlPoint, Registration, ScanRegistration
+from ..results import ControlPoint, Registration, ScanRegistration, SharedSurfaces
 from ..settings import Matching, Model, Settings
 from .layers import PLANE_FACTOR, SPACE_FACTOR
 from .report_figures import site_plan
@@ -56,6 +56,7 @@ def write_report(registration: Registration, path: Path) -> None:
         registered_scans=[scan_content(scan, registration) for scan in registration.registered],
         weak=tests.weak_redundancy,
         critical_w=tests.critical_w,
+        surfaces=[_shared(item) for item in registration.surfaces],
         control=_control(registration.points),
         legend=_legend(tests),
     )
@@ -84,6 +85,10 @@ def _legend(tests: OutlierTestSettings) -> dict[str, str]:
         "the control points.",
         "Round": "1 if surveyed points sufficed to register the scan, 2 if it needed points appended in "
         "round 1, and so on.",
+        "Shared surfaces": "Patches of about a metre that two scans share; overlap: the part of the surface "
+        "of the scan with less that the other has too; distance: how far the patches of both lie apart after "
+        "the adjustment, root mean square; slides: whether they leave a direction free, which targets alone "
+        "hold.",
         "Scale": "What the targets say about the scale, in parts per million from 1, whether or not it was "
         "estimated.",
     }
@@ -140,6 +145,11 @@ def _control_sigma(settings: Settings) -> str:
 def _tolerance(registration: Registration) -> str:
     origin = "derived" if registration.settings.tolerance is None else "chosen"
     return f"{1000 * registration.tolerance:.1f} mm, {origin}"
+
+
+def _shared(item: SharedSurfaces) -> tuple[str, ...]:
+    slides = "yes" if len(item.free) else "no"
+    return (*item.scans, str(item.patches), f"{100 * item.overlap:.0f}", number(1000 * item.rms, 2), slides)
 
 
 def _control(points: Sequence[ControlPoint]) -> list[tuple[str, ...]]:

@@ -8,7 +8,7 @@ import numpy as np
 from ...reporting.numbers import number
 from ..adjustment.settings import OutlierTestSettings
 from ..adjustment.statistical_tests import critical_tau
-from ..results import GlobalTest, Registration, ScanRegistration
+from ..results import GlobalTest, Registration, ScanRegistration, SurfaceChange
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
 
@@ -79,9 +79,26 @@ def _matched(scan: ScanRegistration) -> str:
         sentences.append(f"Expected accidental matches of so many targets: {scan.chance:.1g}.")
     if scan.std is not None:
         sentences.append(f"Largest standard deviation at a target: {number(1000 * scan.std, 1)} mm.")
+    if scan.surfaces is not None:
+        sentences.append(change_by_surfaces(scan.surfaces))
     if scan.unmatched:
         sentences.append(f"Appended to the control points: {', '.join(scan.unmatched)}.")
     return " ".join(sentences)
+
+
+def change_by_surfaces(change: SurfaceChange) -> str:
+    """Return what the surfaces that a scan shares changed, as a sentence."""
+    shift, std = 1000 * change.shift, 1000 * change.std
+    if not change.used:
+        return (
+            f"Surfaces would move its targets by up to {shift:.1f} mm, {change.sigmas:.2f} standard "
+            f"deviations, and are not used; by the targets alone, the largest standard deviation is "
+            f"{std:.1f} mm."
+        )
+    return (
+        f"Surfaces moved its targets by up to {shift:.1f} mm, {change.sigmas:.2f} standard deviations; by "
+        f"the targets alone, the largest standard deviation is {std:.1f} mm."
+    )
 
 
 def _parameters(scan: ScanRegistration) -> list[tuple[str, str, str, str]]:

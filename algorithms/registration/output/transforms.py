@@ -90,6 +90,7 @@ def write_transforms(registration: Registration, path: Path) -> None:
         "probability": registration.test.probability,
         "crs": None if registration.crs is None else registration.crs.to_wkt(),
         "warnings": registration.warnings,
+        "surfaces": [vars(item) for item in registration.surfaces],
         "scans": [_scan(scan) for scan in registration.scans],
     }
     text = json.dumps(_plain(document), indent=1, ensure_ascii=False, allow_nan=False)
@@ -119,6 +120,7 @@ def _scan(scan: ScanRegistration) -> dict[str, Any]:
         "unmatched": scan.unmatched,
         "rivals": scan.rivals,
         "warnings": scan.warnings,
+        "surfaces": scan.surfaces and vars(scan.surfaces),
     }
 
 

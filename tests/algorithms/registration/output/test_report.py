@@ -8,7 +8,7 @@ import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.registration.adjustment.settings import AdjustmentSettings, OutlierTestSettings
 from ichnograph.algorithms.registration.output.report import write_report
-from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest
+from ichnograph.algorithms.registration.results import GlobalTest, ScaleTest, SharedSurfaces
 from ichnograph.algorithms.registration.settings import Matching, Model, Settings
 from ichnograph.algorithms.reporting.numbers import MISSING
 from ichnograph.tests.algorithms.registration.made_registrations import (
@@ -228,3 +228,14 @@ def test_a_large_registration_stays_readable_and_small(report):
 def test_a_report_that_cannot_be_written_is_refused(tmp_path):
     with pytest.raises(InputError, match="folder does not exist"):
         write_report(registration(1), tmp_path / "nowhere" / "report.html")
+
+
+def test_the_surfaces_that_scans_share_are_a_table(report):
+    shared = SharedSurfaces(("S01", "S02"), 0.25, 80, 0.0012, np.zeros((0, 3)))
+    sliding = SharedSurfaces(("S02", "S03"), 0.5, 40, 0.002, np.array([[1.0, 0.0, 0.0]]))
+    made = replace(registration(3), surfaces=(shared, sliding))
+    text = plain(report(made))
+
+    assert "S01 S02 80 25 1.20 no" in text
+    assert "S02 S03 40 50 2.00 yes" in text
+    assert "Surfaces that tie" not in plain(report(registration(3)))

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from ichnograph.algorithms.registration.adjustment.settings import AdjustmentSettings, OutlierTestSettings
-from ichnograph.algorithms.registration.output.report_scan import scan_content, verdict
-from ichnograph.algorithms.registration.results import GlobalTest
+from ichnograph.algorithms.registration.output.report_scan import change_by_surfaces, scan_content, verdict
+from ichnograph.algorithms.registration.results import GlobalTest, SurfaceChange
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.algorithms.reporting.numbers import MISSING
 from ichnograph.tests.algorithms.registration.made_registrations import (
@@ -128,3 +128,13 @@ def test_the_level_of_the_global_test_can_be_chosen():
 
     assert "agree with" in verdict(test)
     assert "larger than" in verdict(test, OutlierTestSettings(global_significance=0.1))
+
+
+def test_what_surfaces_changed_is_said_also_if_the_targets_rule_it_out():
+    used = change_by_surfaces(SurfaceChange(shift=0.0123, sigmas=1.4, std=0.02, used=True))
+    refused = change_by_surfaces(SurfaceChange(shift=0.3, sigmas=9.0, std=0.02, used=False))
+
+    assert used.startswith("Surfaces moved its targets by up to 12.3 mm, 1.40 standard deviations;")
+    assert refused.startswith(
+        "Surfaces would move its targets by up to 300.0 mm, 9.00 standard deviations, and are"
+    )

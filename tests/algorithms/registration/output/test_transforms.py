@@ -1,6 +1,7 @@
 """The TRANSFORMS file: what was found comes back exactly, and what cannot be used is named."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ from ichnograph.algorithms.registration.results import (
     Registration,
     ScaleTest,
     ScanRegistration,
+    SharedSurfaces,
+    SurfaceChange,
 )
 from ichnograph.algorithms.registration.settings import Model, Settings
 from rasterio.crs import CRS
@@ -295,3 +298,22 @@ def test_the_encoding_does_not_matter(written, tmp_path, encoding):
     (tmp_path / "again.json").write_text(written.read_text(encoding="utf-8"), encoding=encoding)
     again = read_transforms(tmp_path / "again.json")
     assert [scan.name for scan in again.scans] == [scan.name for scan in read_transforms(written).scans]
+
+
+def test_shared_surfaces_and_what_they_changed_are_in_the_file(registration, tmp_path):
+    first, *others = registration.scans
+    tied = replace(first, surfaces=SurfaceChange(shift=0.01, sigmas=1.5, std=0.02, used=True))
+    shared = SharedSurfaces(("a", "b"), 0.25, 80, 0.0012, np.array([[1.0, 0.0, 0.0]]))
+    write_transforms(replace(registration, scans=(tied, *others), surfaces=(shared,)), tmp_path / "tied.json")
+    document = json.loads((tmp_path / "tied.json").read_text(encoding="utf-8"))
+
+    (pair,) = document["surfaces"]
+    assert pair == {
+        "scans": ["a", "b"],
+        "overlap": 0.25,
+        "patches": 80,
+        "rms": 0.0012,
+        "free": [[1.0, 0.0, 0.0]],
+    }
+    assert document["scans"][0]["surfaces"] == {"shift": 0.01, "sigmas": 1.5, "std": 0.02, "used": True}
+    assert all(scan["surfaces"] is None for scan in document["scans"][1:])

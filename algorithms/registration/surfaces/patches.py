@@ -1,0 +1,243 @@
+"""The plane surfaces of a scan, in small cells."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from ...clouds.settings import ReadingSettings
+from ...clouds.source import Source
+from ...progress import Progress
+from .cells import Cells, cells_of, packed, unpacked
+from .settings import PatchSettings
+
+NEIGHBOURS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
+NEIGHBOURS = NEIGHBOURS[len(NEIGHBOURS) // 2 + 1 :]
+"""One of each two opposite neighbours of a cell."""
+
+OF_CELLS = ("edges", "centres", "normals", "variances")
+"""What `Surfaces` has of each cell."""
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """The plane cells of a scan.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (n,)
+        Of the cells, metres.
+    centres : ndarray, shape (n, 3)
+        Means of their points, in the scan.
+    normals : ndarray, shape (n, 3)
+        Unit vectors, towards the scanner if its position is known, or else of either sign.
+    variances : ndarray, shape (n,)
+        Of a centre along its normal, square metres.
+    facing : bool
+        Whether the position of the scanner is known.
+    """
+
+    edges: np.ndarray
+    centres: np.ndarray
+    normals: np.ndarray
+    variances: np.ndarray
+    facing: bool = False
+
+    def __len__(self) -> int:
+        return len(self.centres)
+
+    @cached_property
+    def tree(self) -> cKDTree:
+        """The centres, to search near a point."""
+        return cKDTree(self.centres)
+
+    def rows(self, wanted: np.ndarray) -> "Surfaces":
+        """Return some of the cells."""
+        return replace(self, **{name: getattr(self, name)[wanted] for name in OF_CELLS})
+
+    def shifted(self, vector: np.ndarray) -> "Surfaces":
+        """Return the surfaces after a shift."""
+        return replace(self, centres=self.centres + vector)
+
+    @cached_property
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lower and the upper corner around all centres, shape (3,) each."""
+        return self.centres.min(axis=0), self.centres.max(axis=0)
+
+    def corners(self) -> np.ndarray:
+        """Return the corners of the box, shape (8, 3)."""
+        return np.array(list(product(*zip(*self.box))))
+
+    def seen_from(self, station: np.ndarray) -> "Surfaces":
+        """Return the surfaces with normals towards a scanner; as they are if it is far from all of them.
+
+        The origin of a cloud that was moved before is far from it, and was not the scanner.
+        """
+        if not len(self):
+            return self
+        low, high = self.box
+        if np.linalg.norm(np.maximum(low - station, station - high).clip(min=0)) > np.linalg.norm(high - low):
+            return self
+        towards = np.einsum("ij,ij->i", self.normals, station - self.centres)
+        return replace(self, normals=np.where(towards < 0, -1.0, 1.0)[:, None] * self.normals, facing=True)
+
+
+def read_surfaces(
+    source: Source, settings: PatchSettings = PatchSettings(), progress: Progress = Progress()
+) -> Surfaces:
+    """Find the plane cells of a scan, in the coordinates of its file.
+
+    Parameters
+    ----------
+    source : Source
+    settings : PatchSettings
+    progress : Progress
+
+    Raises
+    ------
+    InputError
+        If the file is damaged.
+    CancelledError
+        If the caller asked to stop.
+    """
+    # Whole metres near the points, because cells are counted from the origin.
+    origin = np.floor(source.middle)
+    stations = []
+
+    def points() -> Iterator[np.ndarray]:
+        for chunk in source.chunks(origin, progress, ReadingSettings.chunk_points):
+            stations.append(-origin if chunk.station is None else chunk.station)
+            yield chunk.xyz
+
+    surfaces = surfaces_of(points(), settings)
+    if any(not np.array_equal(station, stations[0]) for station in stations):
+        return surfaces.shifted(origin)
+    return surfaces.seen_from(stations[0]).shifted(origin)
+
+
+def surfaces_of(chunks: Iterable[np.ndarray], settings: PatchSettings = PatchSettings()) -> Surfaces:
+    """Return the plane cells of points: small ones, and larger ones where no small one within is plane.
+
+    Parameters
+    ----------
+    chunks : iterable of ndarray, shape (n, 3)
+        Metres, near the origin.
+    settings : PatchSettings
+    """
+    cells = cells_of(chunks, settings.edges_m[0])
+    found, covered = [], np.zeros(0, np.int64)
+    for _ in settings.edges_m:
+        level, keys = _plane_cells(cells, covered, settings)
+        found.append(level)
+        covered = np.unique(packed(unpacked(np.union1d(keys, covered)) >> 1))
+        cells = cells.doubled()
+    return Surfaces(*(np.concatenate([getattr(level, name) for level in found]) for name in OF_CELLS))
+
+
+def _plane_cells(every: Cells, covered: np.ndarray, settings: PatchSettings) -> tuple[Surfaces, np.ndarray]:
+    """Return the plane cells that are not `covered` by smaller ones, and the keys of all plane ones."""
+    cells = every.rows((every.counts >= settings.fewest_points) & ~np.isin(every.keys, covered))
+    values, vectors = np.linalg.eigh(cells.covariances())
+    widths = np.sqrt(np.maximum(values, 0.0))
+    plane = widths[:, 0] < settings.thickest * widths[:, 1]
+    plane &= widths[:, 1] > settings.narrowest * cells.edge
+    cells, normals = cells.rows(plane), vectors[plane][:, :, 0]
+    keys = cells.keys
+    if len(keys):
+        free = _free_standing(cells, normals, every, settings)
+        cells = _whole(cells.rows(free), normals[free], every, settings)
+    values, vectors = np.linalg.eigh(cells.covariances())
+    surfaces = Surfaces(
+        edges=np.full(len(cells.keys), cells.edge),
+        centres=cells.centres(),
+        normals=_of_planes(cells, vectors[:, :, 0], settings),
+        variances=np.maximum(values[:, 0], 0.0) / cells.counts,
+    )
+    return surfaces, keys
+
+
+def _free_standing(cells: Cells, normals: np.ndarray, every: Cells, settings: PatchSettings) -> np.ndarray:
+    """Return which cells have only neighbours in their plane.
+
+    Beside a corner or furniture, a few points of the other surface lie in a cell and move its middle towards
+    the room, too little to be seen in it, but in all cells alike.
+    """
+    free = np.ones(len(normals), bool)
+    for step in (*NEIGHBOURS, *-NEIGHBOURS):
+        there, level = _beside(cells, normals, every, step, settings)[1:]
+        free &= ~there | level
+    return free
+
+
+def _whole(cells: Cells, normals: np.ndarray, every: Cells, settings: PatchSettings) -> Cells:
+    """Return the cells with the points of their plane beyond the faces that it nearly lies in.
+
+    There, the noise puts some points into the next cell: those that remain lie on one side of the plane.
+    """
+    across = np.eye(3, dtype=np.int64)[np.abs(normals).argmax(axis=1)]
+    whole = cells
+    for steps in (across, -across):
+        rows, there, level = _beside(cells, normals, every, steps, settings)
+        others = every.rows(rows)
+        whole = whole.joined(Cells(every.edge, others.keys, others.moments * (there & level)[:, None]), steps)
+    return whole
+
+
+def _beside(
+    cells: Cells, normals: np.ndarray, every: Cells, steps: np.ndarray, settings: PatchSettings
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the rows of neighbours, which cells have them, and which of them lie in the cell's plane."""
+    rows, there = every.neighbours(cells, steps)
+    others = every.rows(rows)
+    off = np.einsum("ij,ij->i", others.centres() - cells.centres(), normals)
+    thick = np.einsum("ij,ijk,ik->i", normals, others.covariances(), normals)
+    limit = np.sin(np.radians(settings.bend_deg)) * cells.edge
+    return rows, there, off**2 + thick < limit**2
+
+
+def _of_planes(cells: Cells, normals: np.ndarray, settings: PatchSettings) -> np.ndarray:
+    """Return the normals of the planes that cells are part of.
+
+    Normals of single cells lean by a degree or so through noise. In a corridor, that would look as if the
+    walls fixed a scan along them. Cells of curved surfaces keep their own.
+    """
+    centres = cells.centres()
+    _, part = connected_components(_linked(cells, centres, normals, settings), directed=False)
+    count = part.max(initial=-1) + 1
+    size = np.bincount(part, minlength=count)
+    means = np.column_stack([np.bincount(part, centres[:, axis], count) for axis in range(3)]) / size[:, None]
+    arms = centres - means[part]
+    scatter = np.zeros((count, 3, 3))
+    np.add.at(scatter, part, arms[:, :, None] * arms[:, None, :])
+    values, vectors = np.linalg.eigh(scatter)
+    # Fewer cells, or cells along a line, have a plane of their own only by their points.
+    wide = (size >= 4) & (np.sqrt(np.maximum(values[:, 1], 0.0) / size) > 0.5 * cells.edge)
+    common = vectors[part][:, :, 0]
+    cosine = np.einsum("ij,ij->i", common, normals)
+    agree = wide[part] & (np.abs(cosine) > np.cos(np.radians(settings.bend_deg)))
+    return np.where(agree[:, None], common, normals)
+
+
+def _linked(cells: Cells, centres: np.ndarray, normals: np.ndarray, settings: PatchSettings) -> coo_matrix:
+    """Return which neighbouring cells lie in one plane, as a graph."""
+    count = len(cells.keys)
+    ones, others = [np.zeros(0, int)], [np.zeros(0, int)]
+    for step in NEIGHBOURS if count else ():
+        rows, there = cells.neighbours(cells, step)
+        ones.append(np.flatnonzero(there))
+        others.append(rows[there])
+    one, other = np.concatenate(ones), np.concatenate(others)
+    apart = centres[other] - centres[one]
+    bend = np.sin(np.radians(settings.bend_deg))
+    level = np.abs(np.einsum("ij,ij->i", normals[one], normals[other])) > np.cos(
+        np.radians(settings.bend_deg)
+    )
+    for normal in (normals[one], normals[other]):
+        level &= np.abs(np.einsum("ij,ij->i", apart, normal)) < bend * cells.edge
+    one, other = one[level], other[level]
+    return coo_matrix((np.ones(len(one)), (one, other)), shape=(count, count))

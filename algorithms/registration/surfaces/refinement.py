@@ -1,0 +1,251 @@
+"""All scans adjusted by their targets and by the surfaces that they share, in one block.
+
+Surfaces are paired at the poses at hand, adjusted together with the targets, and paired again. A scan that
+they move farther than its targets allow contradicts them: its surfaces are left out.
+"""
+
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import Optional
+
+import numpy as np
+from scipy import stats
+from scipy.spatial.transform import Rotation
+
+from ...progress import Progress
+from ..adjustment.block_adjustment import Adjusted, adjust_tied
+from ..adjustment.similarity import Pose, parameter_design
+from ..adjustment.statistical_tests import global_test, spread_factor
+from ..results import SharedSurfaces, SurfaceChange
+from ..sequential_registration import SequentialRegistration
+from ..settings import Model, Settings
+from .pairing import Placed, paired
+from .patches import Surfaces
+from .tie import Tie, free_directions
+
+ScanPair = tuple[int, int]
+"""The numbers of two scans among those placed."""
+
+
+@dataclass(frozen=True)
+class Refined:
+    """The block with surfaces; without any, only `adjusted` is not empty.
+
+    Attributes
+    ----------
+    adjusted : Adjusted
+    changes : dict of str to SurfaceChange
+        Of the scans that surfaces tie, by their names.
+    shared : tuple of SharedSurfaces
+        What was used.
+    warnings : tuple of str
+    """
+
+    adjusted: Adjusted
+    changes: dict[str, SurfaceChange] = field(default_factory=dict)
+    shared: tuple[SharedSurfaces, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+def refine(
+    sequence: SequentialRegistration,
+    by_targets: Adjusted,
+    surfaces: Mapping[str, Surfaces],
+    settings: Settings,
+    progress: Progress = Progress(),
+) -> Refined:
+    """Tie scans by their surfaces.
+
+    Parameters
+    ----------
+    sequence : SequentialRegistration
+        Of the scans in `by_targets`, and maybe others that surfaces placed.
+    by_targets : Adjusted
+        The block without surfaces.
+    surfaces : mapping of str to Surfaces
+        By the names of the scans, near their origins.
+    settings : Settings
+    progress : Progress
+
+    Raises
+    ------
+    CancelledError
+        If the caller asked to stop.
+    """
+    block = _Block(sequence, by_targets, surfaces, settings)
+    left_out: dict[str, SurfaceChange] = {}
+    while True:
+        adjusted, ties = block.tied(left_out, progress.part(len(left_out) / len(sequence.placed), 1.0))
+        changes = block.changes(adjusted, ties)
+        wrong = [name for name, change in changes.items() if not change.used]
+        if not wrong:
+            shared = tuple(block.shared(tie, adjusted) for tie in ties)
+            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, changes, left_out))
+            return Refined(adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared)))
+        worst = max(wrong, key=lambda name: changes[name].sigmas)
+        left_out[worst] = changes[worst]
+
+
+@dataclass(frozen=True)
+class _Block:
+    sequence: SequentialRegistration
+    by_targets: Adjusted
+    surfaces: Mapping[str, Surfaces]
+    settings: Settings
+
+    def tied(self, left_out: Container[str], progress: Progress) -> tuple[Adjusted, list[Tie]]:
+        """Return the block and its ties when neither changes any more."""
+        limits, pairs = self.settings.surfaces, self._pairs(left_out)
+        gates = dict.fromkeys(pairs, limits.pairs.gate_m)
+        poses, adjusted, ties = self.by_targets.block.poses, self.by_targets, list[Tie]()
+        for number in range(limits.refinement.most_rounds):
+            progress.update(number / limits.refinement.most_rounds, "Tying scans by their surfaces")
+            ties = self._ties(gates, poses, progress)
+            adjusted = adjust_tied(self.sequence, self.by_targets.rejected, self.settings, ties)
+            moved = self._farthest(poses, adjusted.block.poses)
+            poses = adjusted.block.poses
+            narrower = {tie.scans: self._narrower(gates[tie.scans], tie, poses) for tie in ties}
+            settled = all(narrower[pair] == gates[pair] for pair in narrower)
+            gates.update(narrower)
+            if moved < limits.refinement.smallest_move_m and settled:
+                break
+        return adjusted, ties
+
+    def _narrower(self, gate: float, tie: Tie, poses: tuple[Pose, ...]) -> float:
+        """Return how far partners may lie apart in the next round."""
+        limits = self.settings.surfaces.pairs
+        off = max(np.sqrt(np.median(tie.variances)), tie.rms(*(poses[number] for number in tie.scans)))
+        return max(gate / 2, min(2 * limits.trim * float(off), gate), limits.least_gate_m)
+
+    def _of(self, number: int) -> Optional[Surfaces]:
+        found = self.surfaces.get(self._name(number))
+        return found if found is not None and len(found) else None
+
+    def _name(self, number: int) -> str:
+        return self.sequence.placed[number].scan.name
+
+    def _pairs(self, left_out: Container[str]) -> list[ScanPair]:
+        """Return the scans whose boxes overlap."""
+        boxes = {}
+        for number, pose in enumerate(self.by_targets.block.poses):
+            own = self._of(number)
+            if own is not None and self._name(number) not in left_out:
+                corners = pose.apply(own.corners())
+                boxes[number] = corners.min(axis=0), corners.max(axis=0)
+        gate = self.settings.surfaces.pairs.gate_m
+        return [
+            (one, other)
+            for one, other in combinations(sorted(boxes, key=self._name), 2)
+            if (boxes[one][0] < boxes[other][1] + gate).all()
+            and (boxes[other][0] < boxes[one][1] + gate).all()
+        ]
+
+    def _ties(self, gates: dict[ScanPair, float], poses: tuple[Pose, ...], progress: Progress) -> list[Tie]:
+        ties = []
+        for pair, gate in gates.items():
+            progress.check()
+            one, other = (Placed(self.surfaces[self._name(number)], poses[number]) for number in pair)
+            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs)
+            if tie is not None:
+                ties.append(tie)
+        return ties
+
+    def _farthest(self, before: tuple[Pose, ...], after: tuple[Pose, ...]) -> float:
+        """Return how far any surface moved, metres."""
+        moves = [0.0]
+        for number, (old, new) in enumerate(zip(before, after)):
+            own = self._of(number)
+            if own is not None:
+                corners = own.corners()
+                moves.append(float(np.linalg.norm(new.apply(corners) - old.apply(corners), axis=1).max()))
+        return max(moves)
+
+    def changes(self, adjusted: Adjusted, ties: list[Tie]) -> dict[str, SurfaceChange]:
+        """Return what surfaces change of the scans that they tie, by their names."""
+        before, limits = self.by_targets.block, self.settings.adjustment.tests
+        test = global_test(before.sum_of_squares, before.redundancy, limits)
+        # A small sigma0 of few redundant observations does not make targets more exact.
+        spread = max(spread_factor(test, limits), 1.0)
+        return {
+            self._name(number): _change(
+                self.sequence.placed[number].scan.xyz,
+                before.poses[number],
+                adjusted.block.poses[number],
+                spread**2 * before.pose_cofactors[number],
+                self.settings,
+            )
+            for number in sorted({number for tie in ties for number in tie.scans})
+        }
+
+    def shared(self, tie: Tie, adjusted: Adjusted) -> SharedSurfaces:
+        """Return what a tie shows after the adjustment."""
+        poses = [adjusted.block.poses[number] for number in tie.scans]
+        one, other = (self._name(number) for number in tie.scans)
+        free = free_directions(tie.directions(*poses), self.settings.surfaces.refinement.weak_share)
+        return SharedSurfaces((one, other), tie.overlap, len(tie), tie.rms(*poses), free)
+
+
+def _change(
+    targets: np.ndarray, old: Pose, new: Pose, covariance: np.ndarray, settings: Settings
+) -> SurfaceChange:
+    difference = _parameters(old, new, settings.model)
+    square = float(difference @ np.linalg.solve(covariance, difference))
+    count = settings.model.unknowns
+    design = parameter_design(old.rotated(targets), settings.model)
+    stds = np.linalg.eigvalsh(design @ covariance @ np.swapaxes(design, 1, 2))[:, -1]
+    limit = stats.chi2.isf(settings.surfaces.refinement.significance, count)
+    return SurfaceChange(
+        shift=float(np.linalg.norm(new.apply(targets) - old.apply(targets), axis=1).max()),
+        sigmas=float(np.sqrt(square / count)),
+        std=float(np.sqrt(stds.max())),
+        used=bool(square <= limit),
+    )
+
+
+def _parameters(old: Pose, new: Pose, model: Model) -> np.ndarray:
+    """Return the step from one pose to another, as `parameter_design` orders it, shape (u,)."""
+    turn = Rotation.from_matrix(new.rotation @ old.rotation.T).as_rotvec()
+    scale = [float(new.scale / old.scale) - 1.0] if model.scaled else []
+    return np.r_[new.position - old.position, turn[2:] if model.levelled else turn, scale]
+
+
+def _contradictions(left_out: Mapping[str, SurfaceChange]) -> list[str]:
+    return [
+        f"The surfaces that {name} shares with other scans would move it by {1000 * change.shift:.1f} mm, "
+        f"{change.sigmas:.1f} standard deviations, which its targets rule out; they are not used. Look for "
+        "things that were moved between the scans, or for a cloud that is not the one of the targets."
+        for name, change in left_out.items()
+    ]
+
+
+def _untied(
+    surfaces: Mapping[str, Surfaces],
+    sequence: SequentialRegistration,
+    changes: Mapping[str, SurfaceChange],
+    left_out: Mapping[str, SurfaceChange],
+) -> list[str]:
+    names = [scan.scan.name for scan in sequence.placed if scan.scan.name in surfaces]
+    return [
+        f"{name} shares too few plane surfaces with another scan to be tied by them; its targets alone "
+        "hold it."
+        for name in names
+        if name not in changes and name not in left_out
+    ]
+
+
+def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:
+    """Say along which direction scans slide, as in a corridor."""
+    return [
+        f"{item.scans[0]} and {item.scans[1]} slide along the surfaces that they share, "
+        f"{_spoken(direction)}; in that direction, targets alone hold them."
+        for item in shared
+        for direction in item.free
+    ]
+
+
+def _spoken(direction: np.ndarray) -> str:
+    """Return a direction in words; its azimuth is counted from y, and both ways are the same."""
+    if abs(direction[2]) > np.sqrt(0.5):
+        return "up and down"
+    return f"at an azimuth of {np.degrees(np.arctan2(direction[0], direction[1])) % 180:.0f} degrees"
