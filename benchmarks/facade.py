@@ -53,7 +53,10 @@ def draw(scene: FacadeScene, elevation: Elevation, judgement: Judgement, points:
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     rows = elevation.rows[:: max(len(elevation.rows) // 300_000, 1)]
-    uvw = scene.frame.local(points.xyz[rows], points.origin)
+    site = points.xyz[rows] + points.origin
+    if elevation.curve is not None:
+        site[:, :2] = elevation.curve.site(site[:, :2])
+    uvw = scene.frame.local(site, np.zeros(3))
     colours = "grey" if points.rgb is None else points.rgb[rows] / 255
     axes.scatter(*uvw[:, :2].T, s=0.2, c=colours, linewidths=0)
     for part in elevation.wall.geoms:

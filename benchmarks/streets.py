@@ -1,12 +1,12 @@
 """How well openings are found and measured in simulated streets.
 
 make streets, or: python3 -m ichnograph.benchmarks.streets [--spacing 0.005 0.01 0.02] [--seeds 3]
-[--street bay] [--cut rooms] [--plain]
+[--street bay] [--cut rooms] [--sides] [--plain]
 
 Prints, by kind of street and spacing of the points: openings found, missed and invented; the facades drawn
 from outside; how many widths and heights were measured of those whose two edges a station saw; their errors,
 and how many of them are within two standard deviations. Range noise is 2 to 5 mm, other for each street.
-With --pictures, draws each street to build/streets.
+Towers are rolled out. With --pictures, draws each street to build/streets.
 """
 
 import argparse
@@ -17,8 +17,9 @@ from pathlib import Path
 
 import numpy as np
 from ichnograph.algorithms.errors import NothingFoundError
-from ichnograph.algorithms.facade.elevation import Elevation, Points
-from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.development.development import FLAT, ROUND, SIDES
+from ichnograph.algorithms.facade.every_facade import DrawnFacade, measure_selection
+from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.tests.scenes.facades import FacadeScene
 from ichnograph.tests.scenes.facades.streets import STREETS
@@ -39,6 +40,9 @@ from .facade import PLACE, draw, points_of
 
 SPACINGS = (0.005, 0.01, 0.02)
 NOISE = (0.002, 0.005)
+
+TURNING = {"polygonal_tower": SIDES, "round_tower": ROUND}
+"""UNROLL of the streets that have nothing flat."""
 
 
 @dataclass(frozen=True)
@@ -68,23 +72,22 @@ def _run(name: str, spacing: float, seed: int, arguments: argparse.Namespace) ->
     if arguments.plain:
         points = replace(points, rgb=None, intensity=None)
     started = time.perf_counter()
+    settings = FacadeSettings(unroll=SIDES if arguments.sides else TURNING.get(name, FLAT))
     try:
-        elevation = measure_facade(points, FacadeSettings())
+        drawn = measure_selection(select_facade(points, settings), settings)
     except NothingFoundError:
         return Run(scene, nothing_found(scene), time.perf_counter() - started, len(points.xyz))
     seconds = time.perf_counter() - started
-    judgement = judge_street(elevation, scene)
+    judgement = judge_street(drawn.elevation, scene)
     if arguments.pictures:
-        _draw(scene, elevation, judgement, points, f"{name}_{spacing * 1000:g}mm_{seed}.png")
+        _draw(scene, drawn, judgement, f"{name}_{spacing * 1000:g}mm_{seed}.png")
     return Run(scene, judgement, seconds, len(points.xyz))
 
 
-def _draw(
-    scene: FacadeScene, elevation: Elevation, judgement: StreetJudgement, points: Points, file: str
-) -> None:
+def _draw(scene: FacadeScene, drawn: DrawnFacade, judgement: StreetJudgement, file: str) -> None:
     folder = Path("build/streets")
     folder.mkdir(parents=True, exist_ok=True)
-    draw(scene, elevation, judgement, points, folder / file)
+    draw(scene, drawn.elevation, judgement, drawn.selection.points, folder / file)
 
 
 def _errors(pairs: list[SeenPair]) -> np.ndarray:
@@ -156,6 +159,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=3, help="streets of each kind")
     parser.add_argument("--first", type=int, default=0, help="seed")
     parser.add_argument("--cut", choices=CUTS, default=WHOLE, help="what is kept of the scan")
+    parser.add_argument("--sides", action="store_true", help="with the sides of a bay (UNROLL=1)")
     parser.add_argument("--plain", action="store_true", help="without colour and intensity")
     parser.add_argument("--each", action="store_true", help="also print the edges of every opening")
     parser.add_argument("--pictures", action="store_true", help="also draw every street")

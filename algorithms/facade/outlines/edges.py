@@ -1,6 +1,6 @@
 """The straight edges of an outline: each fitted on its own, robustly, to the border beside it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -84,6 +84,46 @@ def fit_edge(
     crossings = np.stack([across[near], along[near]], axis=1)
     std = border_deviation(across[near] - middle, crossings, gaps[near], spacing, settings)
     return Edge(middle, std, float(first), float(last))
+
+
+def edge_at_wall(
+    edge: Edge,
+    across: np.ndarray,
+    depths: np.ndarray,
+    reach: float,
+    settings: OutlineSettings = OutlineSettings(),
+) -> Edge:
+    """Return the edge where its jamb meets the wall, if the jamb is oblique to it.
+
+    Jambs are square to a flat wall. Those of a round one are parallel to each other, so that they are oblique
+    where the wall is rolled out.
+
+    Parameters
+    ----------
+    edge : Edge
+        As the points of the jamb show it, whatever their depth.
+    across, depths : ndarray of float64, shape (k,)
+        Of all points of jambs: positions across the edge, and depths behind the wall (m).
+    reach : float
+        Points of the jamb are as near to a line (m).
+    settings : OutlineSettings
+    """
+    limits, line = settings.jambs, np.array([0.0, edge.position])
+    for doubled in range(1, limits.rounds + 1):
+        # Panes and leaves, deeper in the wall, may cross the line as long as it is not known.
+        near = np.abs(across - np.polyval(line, depths)) <= reach
+        near &= depths <= limits.least_spread_m * 2**doubled
+        if near.sum() < limits.fewest_points or np.ptp(depths[near]) < limits.least_spread_m:
+            return edge
+        line, covariance = np.polyfit(depths[near], across[near], 1, cov="unscaled")
+    held = np.abs(across - np.polyval(line, depths)) <= reach
+    square = np.abs(across - edge.position) <= reach
+    if abs(line[0]) < limits.square or held.sum() < limits.more * square.sum():
+        return edge
+    scatter = float(sigma_about_median(across[near] - np.polyval(line, depths[near])))
+    return replace(
+        edge, position=float(line[1]), std=float(np.hypot(edge.std, scatter * covariance[1, 1] ** 0.5))
+    )
 
 
 def _densest(across: np.ndarray, stations: np.ndarray, window: float) -> float:

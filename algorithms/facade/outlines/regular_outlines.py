@@ -10,7 +10,7 @@ from ...geometry.circles import arc_through
 from ...geometry.polygons import made_valid, polygons_of
 from ..elevation import ARCH, CIRCLE, FREE, RECTANGLE, TRAPEZIUM, Edges
 from .border import Border
-from .edges import Edge, border_deviation, fit_edge
+from .edges import Edge, border_deviation, edge_at_wall, fit_edge
 from .heads import FLAT, SLOPED, Head, fit_head
 from .settings import OutlineSettings
 
@@ -146,7 +146,11 @@ def _side(
     own = np.abs(jamb[:, axis] - direct.position) <= flush
     start_of_jamb = -float(np.percentile(jamb[own, 2], 90))
     # What begins deeper in the wall is a frame, which may be narrower or wider than the opening.
-    return direct if start_of_jamb <= settings.jambs.start_m + border.spacing else edge
+    if start_of_jamb > settings.jambs.start_m + border.spacing:
+        return edge
+    across, depths = border.jambs[:, axis], -border.jambs[:, 2]
+    inside = (border.jambs[:, 1 - axis] > span[0]) & (border.jambs[:, 1 - axis] < span[1])
+    return edge_at_wall(direct, across[inside], depths[inside], flush, settings)
 
 
 def _flush(gaps: np.ndarray, border: Border, settings: OutlineSettings) -> float:

@@ -47,6 +47,15 @@ class JambSettings:
     beside_spacings: float = judged(2.0, "Points farther from the wall are not on a jamb.")
     start_m: float = physical(0.05, "Jambs begin at the wall, of which points up to this depth are part.")
     least_spread_m: float = physical(0.03, "The points of a jamb differ in depth by this at least.")
+    square: float = physical(
+        0.04, "Jambs are square to a wall within this slope, which is 2 mm over the depth of a window frame."
+    )
+    more: float = judged(
+        1.5, "An oblique line has so many times the points of a square one; mixed points are fewer."
+    )
+    rounds: int = judged(
+        5, "Rounds in which a line finds its points, each twice as deep as the one before; walls are thinner."
+    )
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ def judge(elevation: Elevation, scene: FacadeScene) -> Judgement:
 def in_scene(outline: Polygon, elevation: Elevation, scene: FacadeScene) -> Polygon:
     """Return an outline of the elevation in u, v of the scene."""
     corners = np.array(outline.exterior.coords)[:, :2]
-    places = elevation.frame.world(np.column_stack([corners, np.zeros(len(corners))]))
+    places = elevation.world(np.column_stack([corners, np.zeros(len(corners))]))
     return Polygon(scene.frame.local(places, np.zeros(3))[:, :2]).buffer(0)
 
 

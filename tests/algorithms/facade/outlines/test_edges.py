@@ -2,7 +2,14 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.facade.outlines.edges import biweight, border_deviation, edge_deviation, fit_edge
+from ichnograph.algorithms.facade.outlines.edges import (
+    Edge,
+    biweight,
+    border_deviation,
+    edge_at_wall,
+    edge_deviation,
+    fit_edge,
+)
 
 GAP = 0.01
 
@@ -77,3 +84,38 @@ def test_the_ends_of_a_surface_are_less_sure_than_a_jamb_however_many_agree():
 
     assert jamb < 0.0015
     assert 0.15 * 0.02 < ends < 0.25 * 0.02
+
+
+def jamb(slope, noise=0.001):
+    """Positions and depths of points on a jamb that meets the wall at 1 m."""
+    generator = np.random.default_rng(0)
+    depths = generator.uniform(0.01, 0.25, 500)
+    return 1.0 + slope * depths + generator.normal(0, noise, 500), depths
+
+
+@pytest.mark.parametrize("slope", [-0.15, 0.15])
+def test_the_edge_of_an_oblique_jamb_is_where_it_meets_the_wall(slope):
+    across, depths = jamb(slope)
+    start = float(np.median(across[np.abs(across - 1.0) < 0.01]))
+    edge = edge_at_wall(Edge(start, 0.001), across, depths, 0.01)
+    assert edge.position == pytest.approx(1.0, abs=0.0005)
+    assert edge.std >= 0.001
+
+
+def test_the_edge_of_a_square_jamb_stays_where_its_points_are():
+    across, depths = jamb(0.01)
+    edge = Edge(float(np.median(across)), 0.001)
+    assert edge_at_wall(edge, across, depths, 0.01) is edge
+
+
+def test_a_few_points_that_lie_off_a_square_jamb_do_not_turn_it():
+    across, depths = jamb(0.0)
+    off = 1.0 + 0.1 * depths[:60]
+    edge = Edge(1.0, 0.001)
+    found = edge_at_wall(edge, np.concatenate([across, off]), np.concatenate([depths, depths[:60]]), 0.01)
+    assert found is edge
+
+
+def test_points_at_one_depth_do_not_show_whether_a_jamb_is_oblique():
+    edge = Edge(1.0, 0.001)
+    assert edge_at_wall(edge, 1.0 + 0.001 * np.arange(9), 0.1 + 0.001 * np.arange(9), 0.01) is edge

@@ -22,6 +22,9 @@ SAME = 0.06
 REQUIRED = 0.6
 """An opening counts as one to be found if as much of the wall around it was seen."""
 
+OFF_WALL = 0.3
+"""What is drawn on a tower farther from the plane of a side is not on that side (m)."""
+
 TOUCHES = 0.2
 """What overlaps a true opening by as much is that opening, drawn well or badly (intersection over union)."""
 
@@ -40,6 +43,11 @@ class SeenPair(Pair):
 
     true: TrueOpening
     seen: tuple[float, float, float, float]
+
+    @property
+    def edges(self) -> np.ndarray:
+        """Found minus true position of the left, bottom, right and top edge on its wall (m)."""
+        return np.array(self.outline.bounds) - self.true.built.bounds
 
 
 @dataclass(frozen=True)
@@ -65,18 +73,21 @@ class StreetJudgement(Judgement):
 
 
 def judge_street(elevation: Elevation, scene: FacadeScene) -> StreetJudgement:
-    """Return the openings of an elevation paired with those of the scene that are parallel to it."""
+    """Return the openings of an elevation paired with those of the scene that it can show.
+
+    These are the ones parallel to it, or all if it is rolled out. They are compared on their own walls.
+    """
     found = [detail for detail in elevation.details if detail.kind not in (COLOURED, PROJECTION)]
-    outlines = [in_scene(detail.outline, elevation, scene) for detail in found]
     left = set(range(len(found)))
     pairs, missed, hidden = [], [], []
     for true in scene.details:
-        if true.turned:
+        if true.turned and elevation.curve is None:
             continue
-        shares = {number: iou(outlines[number], true.outline) for number in left}
+        outlines = {number: _on_wall_of(true, found[number], elevation, scene) for number in left}
+        shares = {number: iou(outline, true.built) for number, outline in outlines.items()}
         best = max(shares, key=shares.get, default=None)
-        around = np.array(list(_samples(true)))
-        met = seen(scene, around[:, :2], true.layer) if len(around) else np.zeros(0, bool)
+        around = np.array(list(_samples(true.built)))
+        met = seen(scene, true.places(around[:, :2])) if len(around) else np.zeros(0, bool)
         if best is not None and shares[best] >= ALIKE:
             left.remove(best)
             sides = tuple(_share(met[around[:, 2] == side]) for side in range(4))
@@ -85,13 +96,24 @@ def judge_street(elevation: Elevation, scene: FacadeScene) -> StreetJudgement:
             missed.append(true)
         else:
             hidden.append(true)
+    shown = {number: in_scene(found[number].outline, elevation, scene) for number in left}
     invented = [
         found[number]
         for number in sorted(left)
-        if all(iou(outlines[number], true.outline) < TOUCHES for true in scene.details)
+        if all(iou(shown[number], true.outline) < TOUCHES for true in scene.details)
     ]
     turned = (elevation.frame.azimuth - scene.frame.azimuth + 180) % 360 - 180
     return StreetJudgement(tuple(pairs), tuple(missed), tuple(invented), tuple(hidden), abs(turned) < 90)
+
+
+def _on_wall_of(true: TrueOpening, found: Detail, elevation: Elevation, scene: FacadeScene) -> Polygon:
+    """Return an outline on the wall of a true opening, in a, v; empty on another side of a tower."""
+    corners = np.array(found.outline.exterior.coords)[:, :2]
+    site = elevation.world(np.column_stack([corners, np.zeros(len(corners))]))
+    places = (scene.frame.local(site, np.zeros(3)) - true.places(np.zeros((1, 2)))) @ true.axes.T
+    if elevation.curve is not None and np.abs(places[:, 2]).max() > OFF_WALL:
+        return Polygon()
+    return Polygon(places[:, :2]).buffer(0)
 
 
 def nothing_found(scene: FacadeScene) -> StreetJudgement:
@@ -99,27 +121,27 @@ def nothing_found(scene: FacadeScene) -> StreetJudgement:
     return StreetJudgement((), tuple(true for true in scene.details if not true.turned), (), (), False)
 
 
-def seen(scene: FacadeScene, places: np.ndarray, layer: float) -> np.ndarray:
-    """Return whether a station sees each place of the plane of wall at w = layer.
+def seen(scene: FacadeScene, places: np.ndarray) -> np.ndarray:
+    """Return whether a station sees each place of a wall.
 
     Parameters
     ----------
-    places : ndarray, shape (n, 2)
-        u, v.
+    places : ndarray, shape (n, 3)
+        u, v, w.
     """
     things = flatten(scene.panels, scene.leaves)
     met = np.zeros(len(places), bool)
     for station in scene.stations:
-        rays = np.column_stack([places, np.full(len(places), layer)]) - station
+        rays = places - station
         lengths = np.linalg.norm(rays, axis=1)
         reach, _ = cast(station, rays / lengths[:, None], things, 0)
         met |= np.abs(reach - lengths) < SAME
     return met
 
 
-def _samples(true: TrueOpening) -> Iterator[tuple[float, float, int]]:
+def _samples(outline: Polygon) -> Iterator[tuple[float, float, int]]:
     """Yield places on the wall around an opening, above the ground, and the side they belong to."""
-    corners = np.array(_open_ring(true.outline))
+    corners = np.array(_open_ring(outline))
     for start, stop in zip(corners, np.roll(corners, -1, axis=0)):
         along = stop - start
         length = np.linalg.norm(along)

@@ -122,7 +122,8 @@ class Masonry:
         face.openings.append(outline)
         self.sides(face, outline, 0.0, -WALL_THICKNESS, face.colour, 0.7)
         layer = float(face.origin @ W)
-        self.openings.append(TrueOpening(kind, face.seen(outline), -depth, shape, layer, face.turned))
+        built = tuple(face.origin), tuple(face.along), outline
+        self.openings.append(TrueOpening(kind, face.seen(outline), -depth, shape, layer, face.turned, *built))
 
     def room(self, face: Face, outline: Polygon, deep: float = 4.0) -> None:
         """Add a room with furniture behind a wall.

@@ -1,6 +1,6 @@
 """Openings as they were built, and their outlines."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from shapely.geometry import Point, Polygon, box
@@ -26,11 +26,28 @@ class TrueOpening(TrueDetail):
         w of the wall around it (m).
     turned : bool
         Whether its wall is not parallel to the elevation; the outline is then as the elevation shows it.
+    origin, along : tuple of 3 float
+        Where a and v are 0 on its wall, and the direction of a, in u, v, w.
+    built : Polygon
+        Its outline on its wall, in a, v.
     """
 
     shape: str = "rectangle"
     layer: float = 0.0
     turned: bool = False
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    along: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    built: Polygon = field(default_factory=Polygon)
+
+    @property
+    def axes(self) -> np.ndarray:
+        """The directions of a, v and out of its wall, as rows, shape (3, 3)."""
+        along = np.array(self.along)
+        return np.array([along, (0.0, 1.0, 0.0), np.cross(along, (0.0, 1.0, 0.0))])
+
+    def places(self, points: np.ndarray) -> np.ndarray:
+        """Return points of its wall, shape (n, 2) in a, v, in u, v, w."""
+        return self.origin + points @ self.axes[:2]
 
 
 def segmental(left: float, bottom: float, width: float, height: float, rise: float) -> Polygon:
