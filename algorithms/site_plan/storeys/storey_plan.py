@@ -125,7 +125,9 @@ def make_storey_plan(
     division = divide(sheets, footprint, along, settings.cut, settings.levels)
     progress.update(0.8, "Finding rooms and walls")
     thin = _screens(division, sheets, along, settings)
-    rooms, parapets = find_rooms(division, thin, footprint, storey, along, settings.rooms, settings.levels)
+    roof = roofed(footprint, settings.roof)
+    seen = roof, footprint, storey, along
+    rooms, parapets = find_rooms(division, thin, *seen, settings.rooms, settings.levels)
     progress.update(0.9)
     walls = _walls(division, sheets, thin, parapets, footprint, along, storey, settings)
     progress.update(0.95)
@@ -135,7 +137,7 @@ def make_storey_plan(
         limits=tuple(_limits(division, settings)),
         left_out=tuple(_left_out(division, sheets, walls, along, settings)),
         sheets=tuple(sheets),
-        region=roofed(footprint, settings.roof),
+        region=roof,
         storey=with_measured_ceiling(storey, voxels, settings.levels),
         spacing_m=voxels.spacing_m,
         noise_m=voxels.noise_m,

@@ -13,6 +13,7 @@ from ..division.arrangement import ON_LINE
 from ..division.division import Division
 from ..evidence.uprights_along import UprightsAlong
 from ..settings import LevelSettings, RoomSettings
+from .outdoors import are_outdoors, leaves_roof
 from .spaces import is_room
 
 
@@ -39,29 +40,37 @@ class _Openings:
     ----------
     open, over_sill : ndarray of bool, shape (borders,)
         Those in openings, and those of them over a parapet.
+    edge : ndarray of bool, shape (borders,)
+        Those on lines along which the roof ends.
     shut : list of ndarray of int
         Those of each opening that something fills: a leaf, a curtain, a piece of furniture.
     """
 
     open: np.ndarray
     over_sill: np.ndarray
+    edge: np.ndarray
     shut: list[np.ndarray]
 
 
 def cut_at_openings(
     division: Division,
     screens: np.ndarray,
+    roof: BaseGeometry,
     uprights: UprightsAlong,
     settings: RoomSettings = RoomSettings(),
     levels: LevelSettings = LevelSettings(),
 ) -> Parts:
-    """Cut what is room along screens, and along the lines of sheets under lintels and over sills.
+    """Cut what is room along screens, and along the lines of sheets at doors, windows and gates.
+
+    Doors and windows lie under a lintel. Wide gates do too, or the roof ends along them.
 
     Parameters
     ----------
     division : Division
     screens : ndarray of float64, shape (n, 4)
         x, y of both ends of thin walls in rooms.
+    roof : Polygon or MultiPolygon
+        Where a ceiling was seen.
     uprights : UprightsAlong
     settings, levels : RoomSettings, LevelSettings
     """
@@ -70,8 +79,9 @@ def cut_at_openings(
     wall = division.are_borders() | on_screen
     inside = room[sides].all(axis=1) & ~on_screen
     candidate = np.flatnonzero(inside & (division.tracks.sheet >= 0))
-    found = _openings(division, candidate, wall, uprights, settings, levels)
-    linked = _cut_at_shut_doors(division, inside & ~found.open, found.shut, settings)
+    found = _openings(division, candidate, wall, roof, uprights, settings, levels)
+    linked = _cut_at_edges(division, inside & ~found.open, found.edge, roof, settings)
+    linked = _cut_at_shut_doors(division, linked, found.shut, settings)
     part = _linked(sides[linked], len(room))
     numbers = np.unique(part[room])
     outlines = [division.area(np.flatnonzero((part == number) & room)) for number in numbers]
@@ -105,17 +115,20 @@ def _openings(
     division: Division,
     candidate: np.ndarray,
     wall: np.ndarray,
+    roof: BaseGeometry,
     uprights: UprightsAlong,
     settings: RoomSettings,
     levels: LevelSettings,
 ) -> _Openings:
     """Find the openings among borders, given by number, on lines of sheets from wall to wall."""
     borders = division.arrangement.ends
-    found = _Openings(np.zeros(len(borders), bool), np.zeros(len(borders), bool), [])
+    open_, over_sill, edge = np.zeros((3, len(borders)), bool)
+    found = _Openings(open_, over_sill, edge, [])
     ends, length = borders[candidate], division.arrangement.lengths[candidate]
     head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
     masks = (-1 << head, (1 << high) - (1 << low), (1 << low) - 2)
     surface = np.array([uprights.mean_levels(ends, mask) for mask in masks])
+    leaves = leaves_roof(ends, roof, settings)
     rim = _nodes(borders[wall])
     for run in _runs(ends, rim):
         if not all(tip in rim for tip in _tips(ends[run])):
@@ -123,14 +136,30 @@ def _openings(
         width = length[run].sum()
         above, eye, below = surface[:, run] @ length[run] / width
         has_lintel = above >= settings.lintel_levels
+        is_edge = leaves[run] @ length[run] >= settings.edge_share * width
+        found.edge[candidate[run]] = is_edge
         if eye > settings.open_share * (high - low):
             if has_lintel and width <= settings.widest_leaf_m:
                 found.shut.append(candidate[run])
             continue
         is_window = has_lintel and below >= settings.parapet_levels and width <= settings.widest_window_m
-        found.open[candidate[run]] = is_window or (has_lintel and width <= settings.widest_opening_m)
+        is_end = is_edge or width <= settings.widest_opening_m
+        found.open[candidate[run]] = is_window or (has_lintel and is_end)
         found.over_sill[candidate[run]] = is_window
     return found
+
+
+def _cut_at_edges(
+    division: Division, linked: np.ndarray, edge: np.ndarray, roof: BaseGeometry, settings: RoomSettings
+) -> np.ndarray:
+    """Return which borders link cells, less those on edges of the roof that part a room from the outdoors."""
+    sides, edge = division.arrangement.sides, edge & linked
+    part = _linked(sides[linked & ~edge], len(division.is_room))
+    outdoors = np.zeros(len(part), bool)
+    beside = np.unique(part[sides[edge]])
+    outdoors[beside] = are_outdoors(division, part, beside, roof, settings)
+    first, second = outdoors[part[sides]].T
+    return linked & ~(edge & (first != second))
 
 
 def _cut_at_shut_doors(

@@ -7,6 +7,7 @@ import numpy as np
 from affine import Affine
 from rasterio.features import rasterize
 from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from ....geometry.polygons import polygons_of
 from ..division.division import Division
@@ -43,6 +44,7 @@ class Room:
 def find_rooms(
     division: Division,
     screens: np.ndarray,
+    roof: BaseGeometry,
     footprint: Footprint,
     storey: Storey,
     uprights: UprightsAlong,
@@ -56,6 +58,8 @@ def find_rooms(
     division : Division
     screens : ndarray of float64, shape (n, 4)
         x, y of both ends of thin walls that stand free in rooms.
+    roof : Polygon or MultiPolygon
+        Where a ceiling was seen.
     footprint : Footprint
     storey : Storey
     uprights : UprightsAlong
@@ -67,7 +71,7 @@ def find_rooms(
         The largest first.
     parapets : list of Polygon
     """
-    parts = cut_at_openings(division, screens, uprights, settings, levels)
+    parts = cut_at_openings(division, screens, roof, uprights, settings, levels)
     rooms: list[Polygon] = []
     parapets: list[Polygon] = []
     for part, over_sill in zip(parts.outlines, parts.over_sill):

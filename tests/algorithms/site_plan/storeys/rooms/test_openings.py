@@ -9,6 +9,9 @@ from shapely.geometry import box
 NONE = np.empty((0, 4))
 """No screens."""
 
+EVERYWHERE = box(-9, -9, 19, 19)
+"""A roof."""
+
 
 def two_rooms(wide=0.9, lintel=21, leaf=0, back=True):
     """Return the faces of two rooms with a partition of 12 cm, and the footprint.
@@ -27,7 +30,7 @@ def two_rooms(wide=0.9, lintel=21, leaf=0, back=True):
 
 
 def parts_of(faces, footprint):
-    found = cut_at_openings(divided(faces, footprint), NONE, along(*faces))
+    found = cut_at_openings(divided(faces, footprint), NONE, EVERYWHERE, along(*faces))
     return sorted(found.outlines, key=lambda part: -part.area), found
 
 
@@ -103,9 +106,20 @@ def test_a_screen_parts_a_room_if_the_rest_of_its_line_is_a_door(wide, count):
     faces = [*sides(0, 0, 4, 5), screen, lintel]
     division = divided(faces, footprint_of((0, 0, 4, 5)))
     # It is measured to a hand before the wall.
-    found = cut_at_openings(division, np.array([[2, wide, 2, 4.86]]), along(*faces))
+    found = cut_at_openings(division, np.array([[2, wide, 2, 4.86]]), EVERYWHERE, along(*faces))
     assert len(found.outlines) == count
     assert sum(part.area for part in found.outlines) == pytest.approx(20)
+
+
+@pytest.mark.parametrize("roof, area", [(box(0, 0, 4, 4.3), 16), (EVERYWHERE, 25)], ids=["a yard", "a hall"])
+def test_a_wide_gate_parts_a_room_only_from_what_lies_under_no_roof(roof, area):
+    # The gate has no lintel; the foot of its leaf was seen.
+    front = [Face((0, 4), (0.5, 4)), Face((3.5, 4), (4, 4)), Face((0.5, 4), (3.5, 4), 0, 4)]
+    jambs = [Face((x, 4), (x, 4.3)) for x in (0.5, 3.5)]
+    faces = [*sides(0, 0, 4, 4)[:2], *sides(0, 0, 4, 4)[3:], *front, *jambs]
+    division = divided(faces, footprint_of((0, 0, 4, 4), (0.5, 4, 3.5, 7)))
+    found = cut_at_openings(division, NONE, roof, along(*faces))
+    assert max(part.area for part in found.outlines) == pytest.approx(area, abs=0.2)
 
 
 def test_where_no_room_is_there_are_no_parts():

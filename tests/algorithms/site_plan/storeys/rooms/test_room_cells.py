@@ -14,6 +14,7 @@ from ichnograph.tests.algorithms.site_plan.storeys.drawn import (
     with_floor,
 )
 from ichnograph.tests.algorithms.site_plan.storeys.rooms.test_openings import (
+    EVERYWHERE,
     NONE,
     room_with_window,
     two_rooms,
@@ -22,7 +23,7 @@ from shapely.geometry import box
 
 
 def found_in(faces, footprint):
-    return find_rooms(divided(faces, footprint), NONE, footprint, STOREY, along(*faces))
+    return find_rooms(divided(faces, footprint), NONE, EVERYWHERE, footprint, STOREY, along(*faces))
 
 
 def test_a_room_knows_its_outline_its_floor_and_its_ceiling():
