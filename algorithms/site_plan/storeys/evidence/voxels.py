@@ -20,10 +20,10 @@ PART = 1 << 14
 """Voxels whose normals one thread finds at a time."""
 
 WAITING = 1 << 21
-"""Voxels that wait at least before they are sorted, at 40 bytes each."""
+"""Voxels that wait at least before they are sorted, at 64 bytes each."""
 
 SHARE = 2.0**40
-"""Steps in a metre of the integers that are summed up: a voxel of 2 cm takes 35 bits, a count 28 more."""
+"""Steps in a metre of the integers that are summed up, and of the finer ones in each such step."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def make_voxels(chunks: Iterable[np.ndarray], settings: VoxelSettings = VoxelSet
 
 def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
     """Return the mean of the points in each voxel, shape (n, 3)."""
-    keys, sums = np.zeros(0, np.int64), np.zeros((0, 4), np.int64)
+    keys, sums = np.zeros(0, np.int64), np.zeros((0, 7), np.int64)
     added: list[tuple[np.ndarray, np.ndarray]] = []
     count = 0
     for more in in_order(lambda chunk: _summed(chunk, edge, SHARE), chunks):
@@ -102,14 +102,16 @@ def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
             added.clear()
             count = 0
     keys, sums = _added(keys, sums, added)
-    return _unpacked(keys) * edge + sums[:, :3] / np.maximum(sums[:, 3:], 1) / SHARE
+    left = ((sums[:, :3] + sums[:, 3:6] / SHARE) / SHARE).astype(np.float32).astype(float)
+    return _unpacked(keys) * edge + left / np.maximum(sums[:, 6:], 1)
 
 
 @kernel
 def _summed(xyz: np.ndarray, edge: float, share: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the keys of the voxels of a chunk, and the sums of what is left of their corners.
 
-    The sums are integers, whose sum does not depend on the order of the points, and have a count beside them.
+    What is left is rounded to four bytes. The sums are integers, coarse ones and what these leave, so that
+    they do not depend on the order of the points, and have a count beside them.
     """
     size = 16
     while size < 2 * len(xyz):
@@ -117,7 +119,7 @@ def _summed(xyz: np.ndarray, edge: float, share: float) -> tuple[np.ndarray, np.
     mask = np.uint64(size - 1)
     row_of = np.full(size, -1, np.int32)
     keys = np.empty(len(xyz), np.int64)
-    sums = np.zeros((len(xyz), 4), np.int64)
+    sums = np.zeros((len(xyz), 7), np.int64)
     count = 0
     for i in range(len(xyz)):
         x, y, z = np.floor(xyz[i, 0] / edge), np.floor(xyz[i, 1] / edge), np.floor(xyz[i, 2] / edge)
@@ -132,10 +134,12 @@ def _summed(xyz: np.ndarray, edge: float, share: float) -> tuple[np.ndarray, np.
             row = row_of[slot] = count
             keys[row] = key
             count += 1
-        sums[row, 0] += np.int64(np.rint((xyz[i, 0] - x * edge) * share))
-        sums[row, 1] += np.int64(np.rint((xyz[i, 1] - y * edge) * share))
-        sums[row, 2] += np.int64(np.rint((xyz[i, 2] - z * edge) * share))
-        sums[row, 3] += 1
+        for axis, corner in enumerate((x, y, z)):
+            left = np.float64(np.float32(xyz[i, axis] - corner * edge)) * share
+            steps = np.rint(left)
+            sums[row, axis] += np.int64(steps)
+            sums[row, 3 + axis] += np.int64(np.rint((left - steps) * share))
+        sums[row, 6] += 1
     return keys[:count].copy(), sums[:count].copy()
 
 
