@@ -5,6 +5,7 @@ rasterio's CRS is the type that readers return and writers take; pyproj knows wh
 
 from typing import Any, Optional
 
+import numpy as np
 import pyproj
 from pyproj.exceptions import ProjError
 from rasterio.crs import CRS
@@ -125,6 +126,33 @@ def has_only_heights(crs: CRS) -> bool:
     return bool(definition.is_vertical and not definition.sub_crs_list)
 
 
+def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tuple[str, ...]:
+    """Return a sentence if coordinates do not fit their system, or only with swapped axes.
+
+    Parameters
+    ----------
+    crs : CRS or None
+    position : ndarray, shape (2,) or more
+        Amid the points.
+    owner : str
+        What holds them, for the message.
+    """
+    if crs is None:
+        return ()
+    x, y = position[:2].tolist()
+    if is_elsewhere(crs, x, y):
+        return (
+            f"The points of {owner} lie outside the area of {name_of(crs)}; choose the system that "
+            "their coordinates have, or none if they are local.",
+        )
+    if not are_swapped(crs, x, y):
+        return ()
+    return (
+        f"x and y of {owner} seem to be swapped, because they lie in the area of {name_of(crs)} "
+        "only the other way round; the plan would be mirrored, so write easting before northing.",
+    )
+
+
 def are_swapped(crs: CRS, x: float, y: float) -> bool:
     """Whether a position lies outside the area of a projected system, but inside it with x and y swapped."""
     return _are_inside(crs, x, y) == [False, True]
@@ -141,7 +169,9 @@ def _are_inside(crs: CRS, x: float, y: float) -> list[bool]:
     The list is empty if that cannot be known.
     """
     definition = _definition(crs)
-    area = definition.area_of_use
+    code = crs.to_epsg()
+    # A text that states the system may leave out its area.
+    area = definition.area_of_use or (pyproj.CRS.from_epsg(code).area_of_use if code else None)
     if area is None or not definition.is_projected or area.west > area.east:
         return []
     try:

@@ -10,7 +10,7 @@ from rasterio.crs import CRS
 
 from ..errors import InputError
 from ..progress import Progress
-from ..reference_systems import are_swapped, horizontal, is_elsewhere, is_local, name_of, require_metres
+from ..reference_systems import horizontal, is_local, name_of, position_warning, require_metres
 from .formats import format_of, readable_formats
 from .settings import ReadingSettings
 from .source import Chunk, Source, unreadable
@@ -111,7 +111,7 @@ def open_cloud(
         warnings=(
             *(sentence for source in sources for sentence in source.warnings),
             *warnings,
-            *_misplaced(sources, common),
+            *position_warning(common, middle, str(sources[0].path)),
         ),
     )
 
@@ -209,24 +209,6 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if chosen is not None and chosen != common:
         return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)
     return common, ()
-
-
-def _misplaced(sources: tuple[Source, ...], crs: Optional[CRS]) -> tuple[str, ...]:
-    """Return a sentence if the coordinates do not fit their system, or only with swapped axes."""
-    if crs is None:
-        return ()
-    position = sources[0].middle[:2]
-    if is_elsewhere(crs, *position):
-        return (
-            f"The points of {sources[0].path} lie outside the area of {name_of(crs)}; choose the system that "
-            "their coordinates have, or none if they are local.",
-        )
-    if not are_swapped(crs, *position):
-        return ()
-    return (
-        f"x and y of {sources[0].path} seem to be swapped, because they lie in the area of {name_of(crs)} "
-        "only the other way round; the plan would be mirrored, so write easting before northing.",
-    )
 
 
 def names_of(sources: tuple[Source, ...]) -> str:

@@ -3,6 +3,8 @@
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_LAYERS
@@ -95,6 +97,7 @@ class RegisterScansAlgorithm(Algorithm):
 
     def compute(self, values: dict[str, Any], log: Log) -> Outcome:
         """Register the scans."""
+        from ...algorithms.reference_systems import position_warning
         from ...algorithms.registration.output.layers import exaggeration, write_control, write_residuals
         from ...algorithms.registration.output.transforms import write_transforms
         from ...algorithms.registration.registration import register_scans
@@ -104,6 +107,8 @@ class RegisterScansAlgorithm(Algorithm):
             log.warn(
                 ["The control points have no coordinate reference system, so the results have none; set CRS."]
             )
+        middle = np.median(control.xyz, axis=0)
+        log.warn(position_warning(control.crs, middle, str(control.path or control.name)))
         settings, given = settings_of(values), values["TARGETS"]
         searched = 0.8 if given.clouds else 0.0
         read = searched + (1 - searched) / 2 if values["REFINE"] else searched

@@ -101,16 +101,6 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cloud.py"/>
-        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
-        <translation>Die Punkte von %1 liegen außerhalb des Gebiets von %2; das Bezugssystem ihrer Koordinaten wählen, oder keines, wenn sie lokal sind.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/cloud.py"/>
-        <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x und y von %1 scheinen vertauscht zu sein, denn nur vertauscht liegen sie im Gebiet von %2; der Plan wäre gespiegelt. Den Rechtswert vor den Hochwert schreiben.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/cloud.py"/>
         <source>%1 and %2 more files</source>
         <translation>%1 und %2 weitere Dateien</translation>
     </message>
@@ -1910,6 +1900,16 @@
         <location filename="../../algorithms/reference_systems.py"/>
         <source>The heights of %1 are in %2; convert them to metres.</source>
         <translation>Die Höhen von %1 sind in %2 angegeben; in Meter umrechnen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
+        <translation>Die Punkte von %1 liegen außerhalb des Gebiets von %2; das Bezugssystem ihrer Koordinaten wählen, oder keines, wenn sie lokal sind.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x und y von %1 scheinen vertauscht zu sein, denn nur vertauscht liegen sie im Gebiet von %2; der Plan wäre gespiegelt. Den Rechtswert vor den Hochwert schreiben.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>

@@ -101,16 +101,6 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cloud.py"/>
-        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
-        <translation>Les points de %1 se trouvent hors de la zone de %2 ; choisissez le système de leurs coordonnées, ou aucun si elles sont locales.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/cloud.py"/>
-        <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x et y de %1 semblent intervertis, car ils ne tombent dans l&#x27;emprise de %2 qu&#x27;une fois échangés ; le plan serait inversé en miroir. Écrivez la coordonnée est avant la coordonnée nord.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/cloud.py"/>
         <source>%1 and %2 more files</source>
         <translation>%1 et %2 autres fichiers</translation>
     </message>
@@ -1910,6 +1900,16 @@
         <location filename="../../algorithms/reference_systems.py"/>
         <source>The heights of %1 are in %2; convert them to metres.</source>
         <translation>Les altitudes de %1 sont en %2 ; convertissez-les en mètres.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>The points of %1 lie outside the area of %2; choose the system that their coordinates have, or none if they are local.</source>
+        <translation>Les points de %1 se trouvent hors de la zone de %2 ; choisissez le système de leurs coordonnées, ou aucun si elles sont locales.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x et y de %1 semblent intervertis, car ils ne tombent dans l&#x27;emprise de %2 qu&#x27;une fois échangés ; le plan serait inversé en miroir. Écrivez la coordonnée est avant la coordonnée nord.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>

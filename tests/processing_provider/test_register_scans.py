@@ -1,6 +1,7 @@
 """`registerscans` as QGIS runs it: lists in, transformations, layers and a report out."""
 
 import json
+from contextlib import suppress
 from pathlib import Path
 
 import fiona
@@ -370,3 +371,17 @@ def test_a_cloud_without_a_list_is_said_and_not_used(run, two_clouds, outputs, f
     run("registerscans", feedback, **{**two_clouds, "TARGETS": lists}, REFINE=True, SCANS=clouds, **outputs)
 
     assert any(line.startswith("s1.xyz is not used to tie scans") for line in feedback.warnings)
+
+
+def test_control_points_with_northing_before_easting_are_said(run, scene, outputs, tmp_path, feedback):
+    from qgis.core import QgsProcessingException
+
+    national = scene.control.xyz - scene.control.xyz.mean(axis=0) + (412345.0, 5812345.0, 70.0)
+    rows = (f"{name} {y:.4f} {x:.4f} {z:.4f}\n" for name, (x, y, z) in zip(scene.control.names, national))
+    control = tmp_path / "control.txt"
+    control.write_text("".join(rows))
+    targets = write(tmp_path / "hall.txt", scene.targets)
+    with suppress(QgsProcessingException):
+        run("registerscans", feedback, CONTROL=str(control), TARGETS=[targets], CRS="EPSG:25833", **outputs)
+
+    assert any(line.startswith(f"x and y of {control} seem to be swapped") for line in feedback.warnings)
