@@ -20,7 +20,7 @@ from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
 from qgis.core import Qgis, QgsApplication, QgsProcessingContext, QgsProject
 from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtGui import QColor, QGuiApplication
-from qgis.PyQt.QtWidgets import QAction, QDockWidget, QTextEdit
+from qgis.PyQt.QtWidgets import QAction, QApplication, QDockWidget, QTextEdit
 from qgis.utils import iface, loadPlugin, plugins, startPlugin
 
 FOLDER = Path(os.environ["TOUR_FOLDER"])
@@ -168,7 +168,7 @@ def tour():
         startPlugin("ichnograph")
     yield 500
     seen["installed"] = "ichnograph" in plugins
-    for part in (the_tutorial, look_from_above, work_with_runs, batch, facade):
+    for part in (the_tutorial, work_with_runs, batch, facade, look_from_above):
         yield from noting_errors(part)
 
 
@@ -199,18 +199,29 @@ def the_tutorial():
 
 
 def look_from_above():
-    """Open a view in three dimensions, and photograph the screen, because Qt's widgets do not paint it."""
+    """Open the files of the plan by hand, and look at them in three dimensions.
+
+    The screen is photographed, because Qt's widgets do not paint the view. It comes last, because QGIS 3.40
+    crashes if layers go that a view shows.
+    """
     seen["during"] = "walls_3d"
-    # Of the scans, some points lie far outside, and the view opens on all layers.
-    for layer in QgsProject.instance().mapLayersByName("Density image"):
-        QgsProject.instance().removeMapLayer(layer.id())
+    QgsProject.instance().clear()
+    made = next(run["layers"] for run in seen["runs"] if run["name"] == "siteplan")
+    for layer in (layer for layer in reversed(made) if layer["features"]):
+        iface.addVectorLayer(layer["source"].partition("|")[0], layer["name"], "ogr")
+    yield 1000
     iface.mainWindow().findChild(QAction, "mActionNew3DMapCanvas").trigger()
     yield 1000
-    dock = next(dock for dock in iface.mainWindow().findChildren(QDockWidget) if "3D" in dock.windowTitle())
-    dock.setFloating(True)
-    dock.resize(1100, 800)
-    dock.move(0, 0)
-    dock.raise_()
+    docks = iface.mainWindow().findChildren(QDockWidget)
+    for dock in docks:
+        if "3D" in dock.windowTitle():
+            dock.setFloating(True)
+    # Newer versions open it in a window of its own.
+    windows = [*QApplication.topLevelWidgets(), *docks]
+    view = next(window for window in windows if "3D" in window.windowTitle() and window.isVisible())
+    view.resize(1100, 800)
+    view.move(0, 0)
+    view.raise_()
     for _ in range(60):
         yield 1000
         picture = QGuiApplication.primaryScreen().grabWindow(0, 0, 0, 1100, 800)
@@ -218,7 +229,6 @@ def look_from_above():
         if seen["clay"] > 0.02:
             break
     QGuiApplication.primaryScreen().grabWindow(0, 0, 0, 1100, 800).save(str(FOLDER / "walls_3d.png"))
-    dock.close()
 
 
 def share_of_clay(image):
