@@ -100,13 +100,16 @@ def run(key, values, picture, cancel=False):
         yield 100
         dialog.cancelButton().click()
     for _ in range(10 * SECONDS):
-        if finished:
+        # QGIS 3.40 does not signal the end of a run that was cancelled.
+        if finished or "Execution failed after" in log_of(dialog):
             break
         yield 100
     else:
         raise RuntimeError(f"{key} does not end: {log_of(dialog)}")
     yield 1500
-    seen["runs"].append({"name": picture, "succeeded": finished[0], "log": log_of(dialog), **project()})
+    seen["runs"].append(
+        {"name": picture, "succeeded": bool(finished and finished[0]), "log": log_of(dialog), **project()}
+    )
     dialog.hide()
     iface.mainWindow().grab().save(str(FOLDER / f"{picture}.png"))
 
