@@ -41,6 +41,7 @@ CONTENTS = {
     "Reference": (
         "docs/method",
         "docs/accuracy",
+        "docs/performance",
         "docs/inputs",
         "docs/robustness",
         "docs/constants",

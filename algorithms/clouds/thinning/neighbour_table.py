@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...kernels import kernel
-from ..tiles.lattice import limits_of
+from ..tiles.lattice_points import limits_of
 
 ROW, LEVEL = 1 << 16, 1 << 32
 """Steps of a cell's packed number from row to row and level to level of a tile."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...kernels import kernel
-from .lattice import on_lattice
+from .lattice_points import on_lattice
 
 
 def sort_by_tile(

@@ -16,7 +16,8 @@ from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.thinning.thinning import thin_tiles, tile_edge
-from ...clouds.tiles.lattice import LATTICE, limits_of, to_lattice
+from ...clouds.tiles.lattice import LATTICE, to_lattice
+from ...clouds.tiles.lattice_points import limits_of
 from ...clouds.tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
 from ...errors import InputError
 from ...parallel import in_order
