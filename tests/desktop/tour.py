@@ -123,7 +123,7 @@ def last_command():
 
         entries = QgsGui.historyProviderRegistry().queryEntries(providerId="processing")
         return max(entries, key=lambda entry: entry.timestamp).entry["python_command"]
-    return ProcessingLog.getLogEntries()[0].text
+    return ProcessingLog.getLogEntries()[-1].text
 
 
 def run_again():
