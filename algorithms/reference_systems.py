@@ -20,6 +20,9 @@ BESIDE_ZONE = 14.0
 """By how many degrees of longitude, if this area is a zone of transverse Mercator: states use one zone as a
 whole, as Norway does zone 33, which ends at 18 degrees, up to 31."""
 
+TRANSVERSE_MERCATOR = ("9807", "9808")
+"""The codes that EPSG gives to the projection of zones along meridians, with axes to the north or south."""
+
 UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
@@ -172,7 +175,7 @@ def _is_zone(crs: CRS) -> bool:
     # The operation of a bound system is the shift of its datum.
     projected = definition.source_crs if definition.is_bound else definition
     operation = projected and projected.coordinate_operation
-    return operation is not None and operation.method_name.startswith("Transverse Mercator")
+    return operation is not None and operation.method_code in TRANSVERSE_MERCATOR
 
 
 def _are_inside(crs: CRS, x: float, y: float, beside: float) -> list[bool]:
