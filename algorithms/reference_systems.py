@@ -16,6 +16,13 @@ from .errors import InputError
 BESIDE = 2.0
 """By how many degrees a site may lie beside the area for which a system is made."""
 
+BESIDE_ZONE = 14.0
+"""By how many degrees of longitude, if this area is a zone of transverse Mercator: states use one zone as a
+whole, as Norway does zone 33, which ends at 18 degrees, up to 31."""
+
+TRANSVERSE_MERCATOR = ("9807", "9808")
+"""The codes that EPSG gives to the projection of zones along meridians, with axes to the north or south."""
+
 UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
@@ -155,18 +162,33 @@ def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tu
 
 def are_swapped(crs: CRS, x: float, y: float) -> bool:
     """Whether a position lies outside the area of a projected system, but inside it with x and y swapped."""
-    return _are_inside(crs, x, y) == [False, True]
+    return _are_inside(crs, x, y, BESIDE) == [False, True]
 
 
 def is_elsewhere(crs: CRS, x: float, y: float) -> bool:
-    """Whether a position lies outside the area of a projected system, also with x and y swapped."""
-    return _are_inside(crs, x, y) == [False, False]
+    """Whether a position lies far outside the area of a projected system, also with x and y swapped."""
+    return _are_inside(crs, x, y, BESIDE_ZONE if _is_zone(crs) else BESIDE) == [False, False]
 
 
-def _are_inside(crs: CRS, x: float, y: float) -> list[bool]:
+def _is_zone(crs: CRS) -> bool:
+    definition = _definition(crs)
+    # The operation of a bound system is the shift of its datum.
+    projected = definition.source_crs if definition.is_bound else definition
+    operation = projected and projected.coordinate_operation
+    return operation is not None and operation.method_code in TRANSVERSE_MERCATOR
+
+
+def _are_inside(crs: CRS, x: float, y: float, beside: float) -> list[bool]:
     """Return whether a position lies in the area of a projected system, as it is and with x and y swapped.
 
     The list is empty if that cannot be known.
+
+    Parameters
+    ----------
+    crs : CRS
+    x, y : float
+    beside : float
+        By how many degrees of longitude it may lie outside.
     """
     definition = _definition(crs)
     code = crs.to_epsg()
@@ -180,7 +202,7 @@ def _are_inside(crs: CRS, x: float, y: float) -> list[bool]:
     except ProjError:
         return []
     return [
-        area.west - BESIDE <= longitude <= area.east + BESIDE
+        area.west - beside <= longitude <= area.east + beside
         and area.south - BESIDE <= latitude <= area.north + BESIDE
         for longitude, latitude in zip(east, north)
     ]

@@ -111,7 +111,7 @@ def open_cloud(
         warnings=(
             *(sentence for source in sources for sentence in source.warnings),
             *warnings,
-            *position_warning(common, middle, str(sources[0].path)),
+            *_misplaced(sources, common),
         ),
     )
 
@@ -209,6 +209,18 @@ def _common_crs(sources: tuple[Source, ...], chosen: Optional[CRS]) -> tuple[Opt
     if chosen is not None and chosen != common:
         return common, (f"{first} is in {name_of(common)}, so the chosen {name_of(chosen)} is not used.",)
     return common, ()
+
+
+def _misplaced(sources: tuple[Source, ...], crs: Optional[CRS]) -> tuple[str, ...]:
+    """Return a sentence on the files that do not fit the reference system, one for each reason."""
+    alike: dict[tuple[str, ...], list[Source]] = {}
+    for source in sources:
+        alike.setdefault(position_warning(crs, source.middle, ""), []).append(source)
+    return tuple(
+        sentence
+        for files in alike.values()
+        for sentence in position_warning(crs, files[0].middle, names_of(tuple(files)))
+    )
 
 
 def names_of(sources: tuple[Source, ...]) -> str:

@@ -522,6 +522,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>differs from the axes of the scanner above it, by up to %1 degrees</source>
+        <translation>weicht von den Achsen des Scanners darüber ab, um bis zu %1 Grad</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>Line %1 of %2 has %3 numbers instead of 4 (x y z intensity) or 7 (and colour); export it again as PTX.</source>
         <translation>Zeile %1 von %2 hat %3 Zahlen statt 4 (x y z Intensität) oder 7 (und Farbe); erneut als PTX exportieren.</translation>
     </message>

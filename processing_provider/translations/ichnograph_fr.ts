@@ -522,6 +522,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <source>differs from the axes of the scanner above it, by up to %1 degrees</source>
+        <translation>diffère des axes du scanner au-dessus, jusqu&#x27;à %1 degrés</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
         <source>Line %1 of %2 has %3 numbers instead of 4 (x y z intensity) or 7 (and colour); export it again as PTX.</source>
         <translation>La ligne %1 de %2 a %3 nombres au lieu de 4 (x y z intensité) ou 7 (avec la couleur) ; exportez-la à nouveau en PTX.</translation>
     </message>

@@ -188,3 +188,22 @@ def test_coordinates_that_fit_the_system_only_the_other_way_round_are_swapped(x,
 )
 def test_coordinates_that_fit_the_system_in_no_way_are_elsewhere(x, y, elsewhere):
     assert is_elsewhere(CRS.from_epsg(25833), x, y) is elsewhere
+
+
+@pytest.mark.parametrize(
+    ("zone", "x", "y"), [(25832, 877519, 6121939), (25833, -31000, 6730000), (25833, 1090000, 7830000)]
+)
+def test_states_use_a_zone_beyond_its_edges(zone, x, y):
+    # Bornholm, Bergen, Finnmark.
+    assert not is_elsewhere(CRS.from_epsg(zone), x, y)
+
+
+def test_a_zone_with_a_shift_of_its_datum_is_a_zone():
+    spheroid = 'AUTHORITY["EPSG","7019"]]'
+    wkt = CRS.from_epsg(25832).to_wkt().replace(spheroid, f"{spheroid},TOWGS84[1,2,3,0,0,0,0]")
+    assert "TOWGS84" in wkt
+    assert not is_elsewhere(CRS.from_wkt(wkt), 877519, 6121939)
+
+
+def test_local_coordinates_beside_a_small_country_are_elsewhere():
+    assert is_elsewhere(CRS.from_epsg(21781), 12, 7)

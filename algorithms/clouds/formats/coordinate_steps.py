@@ -42,12 +42,12 @@ def step_warning(
 def unit_warning(
     path: Path,
     xyz: np.ndarray,
-    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    unit_stated: bool = False,
     settings: PrecisionSettings = PrecisionSettings(),
 ) -> tuple[str, ...]:
-    """Return a sentence if coordinates without a stated unit can be millimetres; see `step_warning`."""
+    """Return a sentence if coordinates can be millimetres, unless a unit is stated; see `step_warning`."""
     known = xyz[np.isfinite(xyz).all(axis=1)]
-    if len(known) < settings.fewest_whole or metres != (1.0, 1.0, 1.0):
+    if unit_stated or len(known) < settings.fewest_whole:
         return ()
     if np.any(known % 1) or np.ptp(known, axis=0).max() < settings.widest_whole_m:
         return ()
@@ -71,10 +71,13 @@ def height_warning(
 
 
 def coordinate_warnings(
-    path: Path, xyz: np.ndarray, metres: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    path: Path,
+    xyz: np.ndarray,
+    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    unit_stated: bool = False,
 ) -> tuple[str, ...]:
-    """Return all sentences on the coordinates of a cloud; see `step_warning`."""
-    coarse = step_warning(path, xyz, metres) or unit_warning(path, xyz, metres)
+    """Return all sentences on the coordinates of a cloud; see `step_warning` and `unit_warning`."""
+    coarse = step_warning(path, xyz, metres) or unit_warning(path, xyz, unit_stated)
     return coarse or height_warning(path, xyz[:, 2] * metres[2])
 
 

@@ -90,7 +90,7 @@ class LasSource(Source):
                 *warnings,
                 *count_warning(path),
                 *_left_out(path, 1 - share),
-                *(_coarse_scale(path, header.scales) or coordinate_warnings(path, xyz)),
+                *_coordinate_warnings(path, header.scales, xyz, crs),
                 *unnamed_normals(path, _extra(sample, header.point_format)),
             ),
             middle=np.median(xyz, axis=0),
@@ -220,6 +220,13 @@ def _dimensions(sample: np.ndarray, point_format: laspy.PointFormat) -> tuple[st
         for name in point_format.dimension_names
         if name not in common and np.any(~np.isin(records[name], (0, 1) if name in RETURNS else 0))
     )
+
+
+def _coordinate_warnings(
+    path: Path, scales: np.ndarray, xyz: np.ndarray, crs: Optional[CRS]
+) -> tuple[str, ...]:
+    """Return the sentences on the coordinates, of which a reference system states the unit."""
+    return _coarse_scale(path, scales) or coordinate_warnings(path, xyz, unit_stated=crs is not None)
 
 
 def _coarse_scale(

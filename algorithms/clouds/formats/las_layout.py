@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
+import numpy as np
+
 from ...errors import InputError
 from ..source import no_points
 
@@ -33,7 +35,7 @@ class LasLayout:
     states_count : bool
         Whether the header has the number of points; if not, it follows from the length of the file.
     surplus : int
-        For how many further points there is room behind those that the header announces; 0 if compressed.
+        How many further points follow those that the header announces; 0 if compressed.
     """
 
     size: int
@@ -121,5 +123,22 @@ def read_layout(path: Path, stream: BinaryIO) -> LasLayout:
     if kind in WITH_WAVEFORM and head[25] >= 3:
         (waveforms,) = struct.unpack_from("<Q", head, 227)
         end = min(end, waveforms or end)
-    surplus = 0 if compressed else max((end - start) // record_size - count, 0)
+    surplus, rest = divmod(end - start - count * record_size, record_size)
+    if compressed or rest or surplus < 0 or not _is_point(stream, start + count * record_size, head):
+        surplus = 0
     return LasLayout(size, start, count, record_size, compressed, stated, surplus)
+
+
+def _is_point(stream: BinaryIO, position: int, head: bytes) -> bool:
+    """Whether the coordinates at a position are those of a point, and not of bytes that fill up a file.
+
+    They are not 0, and lie within the box of the header or as near to it as it is wide, because points that
+    were appended lie beside others.
+    """
+    stream.seek(position)
+    stored = np.frombuffer(stream.read(12).ljust(12, b"\0"), "<i4")
+    scales, offsets, box = np.split(np.array(struct.unpack_from("<12d", head, 131)), [3, 6])
+    high, low = box.reshape(3, 2).T
+    with np.errstate(all="ignore"):
+        xyz, wide = stored * scales + offsets, high - low
+        return bool(stored.any() and np.all((low - wide <= xyz) & (xyz <= high + wide)))

@@ -134,7 +134,7 @@ class PlySource(Source):
             warnings=(
                 *_converted(path, layout),
                 *_surplus(path, layout),
-                *coordinate_warnings(path, positions, (layout.metres,) * 3),
+                *coordinate_warnings(path, positions, (layout.metres,) * 3, layout.unit is not None),
                 *unnamed_normals(path, {name: sample[name] for name in _others(layout, xyz, intensity, rgb)}),
             ),
             middle=np.median(positions, axis=0) * layout.metres,

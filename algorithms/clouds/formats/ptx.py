@@ -210,16 +210,28 @@ def _read_header(path: Path, stream: TextIO, number: int) -> Optional[tuple[int,
 
 
 def _contradiction(lines: list[str], pose: np.ndarray) -> str:
-    """Return how the position and axes of the scanner differ from the pose; nothing if they are not given."""
+    """Return how the position or axes of the scanner differ from the pose; nothing if they are not given."""
     try:
         stated = np.array([[float(word) for word in line.split()] for line in lines])
     except ValueError:
         return ""
-    given = stated.any() and not np.array_equal(stated, UNMOVED)
-    apart = np.linalg.norm(stated[0] - pose[3, :3])
-    if not given or np.allclose(stated, pose[[3, 0, 1, 2], :3], rtol=0, atol=LARGEST_DIFFERENCE):
+    if not stated.any() or np.array_equal(stated, UNMOVED) or not np.isfinite(stated).all():
         return ""
-    return f"differs from the position and axes of the scanner above it, by {apart:.3g} m in position"
+    if not _agree(stated[0], pose[3, :3]):
+        apart = np.linalg.norm(stated[0] - pose[3, :3])
+        return f"differs from the position and axes of the scanner above it, by {apart:.3g} m in position"
+    axes, rows = stated[1:], pose[:3, :3]
+    # The axes are lines in some files and columns in others.
+    if not axes.any() or _agree(axes, rows) or _agree(axes.T, rows):
+        return ""
+    lengths = np.linalg.norm(axes, axis=1) * np.linalg.norm(rows, axis=1)
+    cosines = np.sum(axes * rows, axis=1) / np.maximum(lengths, LARGEST_DIFFERENCE)
+    angle = np.degrees(np.arccos(np.clip(cosines, -1, 1))).max()
+    return f"differs from the axes of the scanner above it, by up to {angle:.3g} degrees"
+
+
+def _agree(stated: np.ndarray, expected: np.ndarray) -> bool:
+    return np.allclose(stated, expected, rtol=0, atol=LARGEST_DIFFERENCE)
 
 
 def _width(path: Path, line: str, number: int) -> int:

@@ -60,7 +60,7 @@ class TextSource(Source):
             path=path,
             crs=None,
             warnings=layout.warnings
-            + coordinate_warnings(path, sample[:, :3] / layout.metres, layout.metres),
+            + coordinate_warnings(path, sample[:, :3] / layout.metres, layout.metres, layout.unit_stated),
             middle=layout.middle,
             has_intensity=columns.intensity is not None,
             has_rgb=columns.rgb is not None,

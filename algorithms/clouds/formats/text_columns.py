@@ -219,13 +219,14 @@ def _may_be_label(
 def _may_be_indices(values: np.ndarray, numeric: list[int]) -> bool:
     """Whether the first two columns may be the row and the column of each point in its scan.
 
-    They are whole, the next three have decimals, and these are no shares of 1.
+    They are whole, the next three have decimals, and these are no shares of 1. One at least begins at 0 or 1,
+    as numbers of rows do, and coordinates seldom; the other may begin behind empty cells.
     """
     if len(numeric) < 5:
         return False
     indices, others = values[:, numeric[:2]], values[:, numeric[2:5]]
-    whole = np.all(indices % 1 == 0) and np.all(indices >= 0)
-    return bool(whole and np.all(np.any(others % 1 > 0, axis=0)) and np.all(np.abs(others).max(axis=0) > 1))
+    counted = np.all(indices % 1 == 0) and np.all(indices >= 0) and np.any(indices.min(axis=0) <= 1)
+    return bool(counted and np.all(np.any(others % 1 > 0, axis=0)) and np.all(np.abs(others).max(axis=0) > 1))
 
 
 def _looks_like_colour(values: np.ndarray) -> bool:

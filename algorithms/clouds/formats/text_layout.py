@@ -38,6 +38,8 @@ class Layout:
     columns : Columns
     metres : tuple of 3 float
         How many metres the units of the coordinates are.
+    unit_stated : bool
+        Whether the file says so.
     preamble : int
         Number of lines before the first point.
     announced : int or None
@@ -53,6 +55,7 @@ class Layout:
     dialect: Dialect
     columns: Columns
     metres: tuple[float, float, float]
+    unit_stated: bool
     preamble: int
     announced: Optional[int]
     middle: np.ndarray
@@ -89,6 +92,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         dialect=dialect,
         columns=columns,
         metres=metres,
+        unit_stated=bool(header.units),
         preamble=min([numbers[0], *marked]),
         announced=header.announced,
         middle=_middle(path, values[:, columns.xyz]) * metres,

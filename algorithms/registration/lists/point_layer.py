@@ -95,12 +95,14 @@ def read_features(
     places = tuple(f"feature {number}" for number in range(1, len(points) + 1))
     origins, stds = _appended(attributes)
     covariances, doubts = _covariances(source, attributes, settings)
+    crs = parse_layer_wkt(wkt, source)
     return Rows(
         source=source,
         places=places,
         names=names,
         xyz=xyz,
-        crs=parse_layer_wkt(wkt, source),
+        unit_stated=crs is not None,
+        crs=crs,
         warnings=(*warnings, *doubts),
         origins=origins,
         stds=stds,

@@ -155,7 +155,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
             *rows.warnings,
             *merged,
             *step_warning(Path(rows.source), rows.xyz),
-            *unit_warning(Path(rows.source), rows.xyz),
+            *unit_warning(Path(rows.source), rows.xyz, rows.unit_stated),
             *_unknown_heights(rows.source, [names[row] for row in kept], rows.xyz[kept, 2]),
         ),
         path=path,

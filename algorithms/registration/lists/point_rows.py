@@ -21,6 +21,8 @@ class Rows:
         None if the file has no names.
     xyz : ndarray of float64, shape (n, 3)
         Metres, finite.
+    unit_stated : bool
+        Whether the file says in which unit it has them.
     crs : CRS or None
     origins : tuple of str
         The scans that the points come from, if an earlier registration appended them to its control points;
@@ -36,6 +38,7 @@ class Rows:
     places: tuple[str, ...]
     names: Optional[tuple[str, ...]]
     xyz: np.ndarray
+    unit_stated: bool = False
     crs: Optional[CRS] = None
     warnings: tuple[str, ...] = ()
     origins: tuple[str, ...] = ()

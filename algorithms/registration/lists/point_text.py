@@ -98,6 +98,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         places=tuple(f"line {number}" for number in rows),
         names=_names(rows.values(), columns.name) if columns.name else None,
         xyz=xyz * header.factors(path),
+        unit_stated=not header.units.keys().isdisjoint(COORDINATES),
         covariances=covariances,
         warnings=(
             *_converted(path, header),

@@ -196,6 +196,14 @@ def test_a_cloud_with_northings_before_eastings_is_said_to_be_mirrored(tmp_path)
     assert "the plan would be mirrored" in cloud.warnings[-1]
 
 
+def test_each_file_outside_the_area_of_the_reference_system_is_named_once(tmp_path):
+    fits = text(tmp_path / "a.xyz", FIRST)
+    local = [text(tmp_path / name, [[1.25, 2.5, 3.0]]) for name in ("b.xyz", "c.xyz")]
+    cloud = open_cloud([fits, *local], CRS.from_epsg(25833))
+    (said,) = [warning for warning in cloud.warnings if "outside the area" in warning]
+    assert said.startswith("The points of b.xyz, c.xyz lie")
+
+
 def test_scans_that_are_not_registered_may_have_different_systems_or_none(tmp_path):
     paths = [las(tmp_path / "a.las", FIRST, 25832), las(tmp_path / "b.las", SECOND, 25833)]
     scans = open_scans([*paths, text(tmp_path / "c.xyz", FIRST)])

@@ -50,7 +50,7 @@ def test_coordinates_that_are_rounded_to_metres_have_no_single_precision(step):
 def test_whole_numbers_over_more_than_a_hundred_may_be_millimetres():
     millimetres = np.round(1000 * points())
     assert "are whole numbers, which were read as metres" in unit_warning(PATH, millimetres)[0]
-    assert unit_warning(PATH, millimetres, (1e-3, 1e-3, 1e-3)) == ()
+    assert unit_warning(PATH, millimetres, unit_stated=True) == ()
     assert unit_warning(PATH, np.round(10 * points() / np.ptp(points()))) == ()
     assert unit_warning(PATH, millimetres + [0.5, 0, 0]) == ()
 

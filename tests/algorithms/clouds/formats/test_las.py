@@ -149,6 +149,16 @@ def test_the_reference_system_is_read_from_wkt(tmp_path):
     assert LasSource.open(write(tmp_path / "a.las", header, points)).crs == CRS.from_epsg(25832)
 
 
+def test_whole_metres_of_a_reference_system_are_not_doubted(tmp_path):
+    header, points = records(20)
+    for name in "XYZ":
+        points[name] *= 1000
+    assert "are whole numbers" in LasSource.open(write(tmp_path / "a.las", header, points)).warnings[0]
+    header.vlrs.append(WktCoordinateSystemVlr(CRS.from_epsg(25832).to_wkt()))
+    warnings = LasSource.open(write(tmp_path / "a.las", header, points)).warnings
+    assert not [sentence for sentence in warnings if "whole numbers" in sentence]
+
+
 def test_the_reference_system_is_read_from_wkt_behind_the_points(tmp_path):
     header, points = records(3, 6)
     with laspy.open(tmp_path / "a.laz", "w", header=header) as writer:

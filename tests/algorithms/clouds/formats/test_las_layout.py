@@ -78,3 +78,27 @@ def test_points_behind_those_that_the_header_announces_are_said(tmp_path, point_
     for position, code in fields:
         changed(path, position, code, 280)
     assert "announces 280 points, but 20 more follow" in count_warning(path)[0]
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        pytest.param(bytes(512), id="zeros"),
+        pytest.param(bytes(34 * 3), id="zeros of the length of points"),
+        pytest.param(b"\xff\x7f" * 17 * 3, id="far from all points"),
+        pytest.param(b"end of the file" * 7, id="a rest"),
+    ],
+)
+def test_bytes_that_fill_up_a_file_are_no_points(tmp_path, more):
+    path = write_las(tmp_path / "scan.las", *las_records(300))
+    path.write_bytes(path.read_bytes() + more)
+    assert count_warning(path) == ()
+
+
+def test_points_that_were_appended_beside_the_others_are_points(tmp_path):
+    header, points = las_records(300)
+    points.x[299] = 1.5 * points.x.max() - 0.5 * points.x.min()
+    path = write_las(tmp_path / "scan.las", header, points)
+    changed(path, 107, "<I", 299)
+    changed(path, 179, "<d", points.x[:299].max())
+    assert "1 more follow" in count_warning(path)[0]

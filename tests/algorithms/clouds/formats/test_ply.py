@@ -205,6 +205,13 @@ def test_a_unit_in_a_remark_is_honoured_and_said(tmp_path, remark):
     assert "they were converted to metres" in source.warnings[0]
 
 
+def test_whole_numbers_of_a_stated_unit_are_not_doubted(tmp_path):
+    whole = np.round(100 * XYZ)
+    assert "are whole numbers" in PlySource.open(write_ply(tmp_path / "a.ply", whole)).warnings[0]
+    stated = write_ply(tmp_path / "a.ply", whole, before="comment units: m\n")
+    assert PlySource.open(stated).warnings == ()
+
+
 def test_feet_in_a_remark_are_refused(tmp_path):
     with pytest.raises(InputError, match="gives lengths in feet"):
         read(write_ply(tmp_path / "a.ply", XYZ, before="comment units: feet\n"))

@@ -240,3 +240,18 @@ def test_a_position_of_the_scanner_that_is_left_out_says_nothing(tmp_path, axes)
     path = with_header(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN)), 2, lines)
 
     assert PtxSource.open(path).warnings == ()
+
+
+def test_axes_of_the_scanner_that_contradict_the_pose_are_said_by_their_angle(tmp_path):
+    lines = ["100 200 300", "1 0 0", "0 1 0", "0 0 1"]
+    path = with_header(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN)), 2, lines)
+
+    (warning,) = PtxSource.open(path).warnings
+    assert "differs from the axes of the scanner above it, by up to 90 degrees" in warning
+
+
+@pytest.mark.parametrize("axes", [["0 -1 0", "1 0 0", "0 0 1"], ["0 1 0", "-1 0 0", "0 0 1"], ["0 0 0"] * 3])
+def test_axes_in_lines_or_columns_or_left_out_beside_the_position_of_the_pose_are_sound(tmp_path, axes):
+    path = with_header(write_ptx(tmp_path / "a.ptx", (CELLS, QUARTER_TURN)), 2, ["100 200 300", *axes])
+
+    assert PtxSource.open(path).warnings == ()

@@ -133,6 +133,13 @@ def test_units_of_the_header_are_converted(tmp_path):
     assert "in mm; they were converted" in TextSource.open(path).warnings[0]
 
 
+@pytest.mark.parametrize("header", ["# m\n", "x[m] y[m] z[m]\n"])
+def test_whole_numbers_of_a_stated_unit_are_not_doubted(tmp_path, header):
+    whole = "100 200 3\n900 400 5\n100 800 3\n"
+    assert "are whole numbers" in TextSource.open(write(tmp_path, whole)).warnings[0]
+    assert TextSource.open(write(tmp_path, header + whole)).warnings == ()
+
+
 def test_colours_of_16_bits_are_recognised_though_the_file_begins_dark(tmp_path):
     dark, bright = "1.5 2.5 3.5 200 200 200\n" * 20_000, "1.5 2.5 3.5 40000 200 200\n" * 10
     _, _, rgb = read(write(tmp_path, dark + bright), 100_000)

@@ -145,3 +145,14 @@ def test_rows_and_columns_of_a_scan_before_the_coordinates_are_asked_for():
     # Whole metres with colours of parts of 1 are a grid.
     grid = [f"{n // 5} {n % 5} {n}.25 0.{n} 0.5{n} 0.25" for n in range(20)]
     assert by_count(*grid)[0].xyz == (0, 1, 2)
+
+
+def test_rows_that_begin_behind_empty_cells_are_asked_for():
+    rows = [f"{n // 5} {40 + n % 5} {n}.25 {2 * n}.5 {n % 3}.125" for n in range(20)]
+    with pytest.raises(InputError, match="can be x and y, or the row and the column in the scan"):
+        by_count(*rows)
+
+
+def test_a_grid_of_whole_metres_with_reflectance_and_deviation_is_read():
+    grid = [f"{500 + n // 5} {100 + n % 5} {203 + n % 3}.41 -12.{n}5 4.{n}5" for n in range(20)]
+    assert by_count(*grid)[0].xyz == (0, 1, 2)

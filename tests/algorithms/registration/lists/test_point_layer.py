@@ -260,3 +260,10 @@ def test_fields_of_standard_deviations_have_the_names_and_units_that_columns_hav
 
     expected = np.array([[1e-6, 1e-6, 0], [1e-6, 4e-6, 0], [0, 0, 9e-6]])
     assert points.covariances[0] == pytest.approx(expected)
+
+
+def test_whole_metres_of_a_reference_system_are_not_doubted(tmp_path):
+    whole = [[412100, 5812100, 3], [412900, 5812400, 5], [412100, 5812800, 3]]
+    assert read_point_list(write_layer(tmp_path / "a.gpkg", whole)).warnings == ()
+    local = read_point_list(write_layer(tmp_path / "b.gpkg", whole, crs_wkt=None))
+    assert "whole numbers" in local.warnings[0]

@@ -245,6 +245,14 @@ def test_the_way_of_writing_changes_nothing(
     assert not [text for text in read.warnings if "whole numbers" not in text]
 
 
+@pytest.mark.parametrize("header", ["# m\n", "name x[m] y[m] z[m]\n", "# in mm\n"])
+def test_whole_numbers_of_a_stated_unit_are_not_doubted(tmp_path, header):
+    whole = "T1 100000 200000 3000\nT2 900000 400000 5000\nT3 100000 800000 3000\n"
+    assert "whole numbers" in read_point_list(write(tmp_path, whole)).warnings[0]
+    said = read_point_list(write(tmp_path, header + whole)).warnings
+    assert not [text for text in said if "whole numbers" in text]
+
+
 @pytest.mark.parametrize("row", ["#1 9.5 8.25 7", "# P9 9.5 8.25 7", ";P9 9.5 8.25 7"])
 def test_rows_that_begin_as_remarks_do_are_left_out_and_said(tmp_path, row):
     points = read_point_list(write(tmp_path, f"{row}\nT1 1.5 2.25 3.0\nT2 4.5 5.25 6.5\n"))
