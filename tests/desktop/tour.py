@@ -211,8 +211,11 @@ def look_from_above():
     QgsProject.instance().clear()
     made = next(run["layers"] for run in seen["runs"] if run["name"] == "siteplan")
     for layer in (layer for layer in reversed(made) if layer["features"]):
-        iface.addVectorLayer(layer["source"].partition("|")[0], layer["name"], "ogr")
-    yield 1000
+        walls = iface.addVectorLayer(layer["source"].partition("|")[0], layer["name"], "ogr")
+    # The facade before has no reference system, and a new view begins where the map is.
+    QgsProject.instance().setCrs(walls.crs())
+    iface.zoomFull()
+    yield 2000
     iface.mainWindow().findChild(QAction, "mActionNew3DMapCanvas").trigger()
     yield 1000
     docks = iface.mainWindow().findChildren(QDockWidget)
