@@ -1,11 +1,12 @@
 """All scans adjusted by their targets and by the surfaces that they share, in one block.
 
 Surfaces are paired at the poses at hand, adjusted together with the targets, and paired again. A scan that
-they move farther than its targets allow contradicts them: its surfaces are left out.
+they move farther than its targets allow, or against the targets that it shares with others, contradicts
+them: its surfaces are left out.
 """
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Optional
 
@@ -78,13 +79,12 @@ def refine(
     while True:
         adjusted, ties = block.tied(left_out, progress.part(len(left_out) / len(sequence.placed), 1.0))
         changes = block.changes(adjusted, ties)
-        wrong = [name for name, change in changes.items() if not change.used]
-        if not wrong:
+        worst = block.worst(adjusted, changes)
+        if worst is None:
             shared = tuple(block.shared(tie, adjusted) for tie in ties)
             warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, changes, left_out))
             return Refined(adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared)))
-        worst = max(wrong, key=lambda name: changes[name].sigmas)
-        left_out[worst] = changes[worst]
+        left_out[worst] = replace(changes[worst], used=False)
 
 
 @dataclass(frozen=True)
@@ -163,20 +163,45 @@ class _Block:
 
     def changes(self, adjusted: Adjusted, ties: list[Tie]) -> dict[str, SurfaceChange]:
         """Return what surfaces change of the scans that they tie, by their names."""
-        before, limits = self.by_targets.block, self.settings.adjustment.tests
-        test = global_test(before.sum_of_squares, before.redundancy, limits)
-        # A small sigma0 of few redundant observations does not make targets more exact.
-        spread = max(spread_factor(test, limits), 1.0)
+        before = self.by_targets.block
         return {
             self._name(number): _change(
                 self.sequence.placed[number].scan.xyz,
                 before.poses[number],
                 adjusted.block.poses[number],
-                spread**2 * before.pose_cofactors[number],
+                self._spread**2 * before.pose_cofactors[number],
                 self.settings,
             )
             for number in sorted({number for tie in ties for number in tie.scans})
         }
+
+    @property
+    def _spread(self) -> float:
+        """The standard deviation of unit weight by the targets alone."""
+        before, limits = self.by_targets.block, self.settings.adjustment.tests
+        test = global_test(before.sum_of_squares, before.redundancy, limits)
+        # A small sigma0 of few redundant observations does not make targets more exact.
+        return max(spread_factor(test, limits), 1.0)
+
+    def worst(self, adjusted: Adjusted, changes: Mapping[str, SurfaceChange]) -> Optional[str]:
+        """Return the scan whose surfaces contradict the targets most, or None if none do.
+
+        At the end of a chain, a pose may change much, yet not against its neighbour: two scans that surfaces
+        tear apart show only in the residuals of the targets that they share.
+        """
+        wrong = [name for name, change in changes.items() if not change.used]
+        if wrong:
+            return max(wrong, key=lambda name: changes[name].sigmas)
+        before, after = self.by_targets.block, adjusted.block
+        growth = (after.sum_of_squares - before.sum_of_squares) / self._spread**2
+        count = self.settings.model.unknowns * (len(changes) - 1)
+        if not changes or growth <= stats.chi2.isf(self.settings.surfaces.refinement.significance, count):
+            return None
+        grown = {
+            self._name(number): float(new.squares.mean() - old.squares.mean())
+            for number, (old, new) in enumerate(zip(before.targets, after.targets))
+        }
+        return max(changes, key=lambda name: grown[name])
 
     def shared(self, tie: Tie, adjusted: Adjusted) -> SharedSurfaces:
         """Return what a tie shows after the adjustment."""
@@ -213,8 +238,9 @@ def _parameters(old: Pose, new: Pose, model: Model) -> np.ndarray:
 def _contradictions(left_out: Mapping[str, SurfaceChange]) -> list[str]:
     return [
         f"The surfaces that {name} shares with other scans would move it by {1000 * change.shift:.1f} mm, "
-        f"{change.sigmas:.1f} standard deviations, which its targets rule out; they are not used. Look for "
-        "things that were moved between the scans, or for a cloud that is not the one of the targets."
+        f"{change.sigmas:.1f} standard deviations, which the targets, also those that scans share, rule out; "
+        "they are not used. Look for things that were moved between the scans, or for a cloud that is not "
+        "the one of the targets."
         for name, change in left_out.items()
     ]
 

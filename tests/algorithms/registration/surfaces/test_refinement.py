@@ -112,6 +112,17 @@ def test_surfaces_that_contradict_the_targets_are_left_out_and_it_is_said():
     assert any(text.startswith("The surfaces that s2 shares") for text in result.warnings)
 
 
+@pytest.mark.parametrize("number", [2, 5])
+def test_surfaces_that_tear_scans_apart_against_shared_targets_are_left_out(number):
+    chain = Rooms(6, seed=1)
+    name, wrong = f"s{number}", np.array([0.08, 0.0, 0.0])
+    result = chain.registered({**chain.surfaces, name: chain.surfaces[name].shifted(wrong)})
+
+    assert [scan.name for scan in result.scans if not (scan.surfaces and scan.surfaces.used)] == [name]
+    assert result.test.sigma0 < 1.3
+    assert any(text.startswith(f"The surfaces that {name} shares") for text in result.warnings)
+
+
 def test_a_corridor_holds_nothing_along_its_axis_and_says_so():
     corridor = Rooms(2, seed=3)
     smooth = [face for low in (0, 1, 2) for face in room((6.0 * low, 0, 0), omit=("-x", "+x"))]
