@@ -59,6 +59,6 @@ def surfaces_of_scans(
             )
             continue
         part.update(0.0, f"Finding the surfaces of {source.path.name}")
-        found[names[number]] = read_surfaces(source, settings.patches, part)
+        found[names[number]] = read_surfaces(source, settings, part)
         log.info(f"{names[number]}: {len(found[names[number]])} plane cells.")
     return found

@@ -50,6 +50,7 @@ def paired(
     Parameters
     ----------
     one, other : Placed
+        With normals towards their scanners.
     scans : tuple of int
     gate : float
         Metres.
@@ -86,12 +87,11 @@ def _nearest(one: Placed, other: Placed, gate: float, settings: PairSettings) ->
     # Partners overlap: their middles are closer than half of both edges.
     known &= distances < np.hypot((one.surfaces.edges[inside, None] + theirs.edges[rows]) / 2, gate)
     facing = np.einsum("ij,ikj->ik", normals, theirs.normals[rows])
-    both = normals[:, None, :] + np.where(facing < 0, -1.0, 1.0)[:, :, None] * theirs.normals[rows]
-    both /= np.linalg.norm(both, axis=2, keepdims=True)
+    both = normals[:, None, :] + theirs.normals[rows]
+    # Only of cells that face away from each other, which are no partners, is the sum shorter than 1.
+    both /= np.maximum(np.linalg.norm(both, axis=2, keepdims=True), 1.0)
     off = np.abs(np.einsum("ikj,ikj->ik", both, centres[:, None, :] - theirs.centres[rows]))
-    if one.surfaces.facing and theirs.facing:
-        known &= facing > 0
-    known &= (np.abs(facing) > np.cos(np.radians(settings.facing_deg))) & (off < gate)
+    known &= (facing > np.cos(np.radians(settings.facing_deg))) & (off < gate)
     distances = np.where(known, distances, np.inf)
     best = distances.argmin(axis=1)
     every = np.arange(len(inside))

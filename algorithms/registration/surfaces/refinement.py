@@ -82,7 +82,7 @@ def refine(
         worst = block.worst(adjusted, changes)
         if worst is None:
             shared = tuple(block.shared(tie, adjusted) for tie in ties)
-            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, changes, left_out))
+            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, {**left_out, **changes}))
             return Refined(adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared)))
         left_out[worst] = replace(changes[worst], used=False)
 
@@ -126,11 +126,11 @@ class _Block:
         return self.sequence.placed[number].scan.name
 
     def _pairs(self, left_out: Container[str]) -> list[ScanPair]:
-        """Return the scans whose boxes overlap."""
+        """Return the scans whose boxes overlap, of those whose scanners are known."""
         boxes = {}
         for number, pose in enumerate(self.by_targets.block.poses):
             own = self._of(number)
-            if own is not None and self._name(number) not in left_out:
+            if own is not None and own.facing and self._name(number) not in left_out:
                 corners = pose.apply(own.corners())
                 boxes[number] = corners.min(axis=0), corners.max(axis=0)
         gate = self.settings.surfaces.pairs.gate_m
@@ -239,25 +239,31 @@ def _contradictions(left_out: Mapping[str, SurfaceChange]) -> list[str]:
     return [
         f"The surfaces that {name} shares with other scans would move it by {1000 * change.shift:.1f} mm, "
         f"{change.sigmas:.1f} standard deviations, which the targets, also those that scans share, rule out; "
-        "they are not used. Look for things that were moved between the scans, or for a cloud that is not "
-        "the one of the targets."
+        "they are not used. Look, also in the scans beside it, for things that were moved between the scans, "
+        "or for a cloud that is not the one of the targets."
         for name, change in left_out.items()
     ]
 
 
 def _untied(
-    surfaces: Mapping[str, Surfaces],
-    sequence: SequentialRegistration,
-    changes: Mapping[str, SurfaceChange],
-    left_out: Mapping[str, SurfaceChange],
+    surfaces: Mapping[str, Surfaces], sequence: SequentialRegistration, judged: Container[str]
 ) -> list[str]:
     names = [scan.scan.name for scan in sequence.placed if scan.scan.name in surfaces]
     return [
-        f"{name} shares too few plane surfaces with another scan to be tied by them; its targets alone "
-        "hold it."
+        f"{name} {_obstacle(surfaces[name])}; its targets alone hold it."
         for name in names
-        if name not in changes and name not in left_out
+        if name not in judged
     ]
+
+
+def _obstacle(surfaces: Surfaces) -> str:
+    if len(surfaces) and not surfaces.facing:
+        return (
+            "is not tied by surfaces, because its cloud does not show where the scanner stood, and both "
+            "sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an E57 "
+            "or PTX file of one scan with its pose"
+        )
+    return "shares too few plane surfaces with another scan to be tied by them"
 
 
 def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:

@@ -1,5 +1,7 @@
 """Scans tied by targets and surfaces in one block."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import CancelledError
@@ -146,6 +148,16 @@ def test_a_scan_that_shares_nothing_is_held_by_its_targets_and_it_is_said(rooms)
 
     assert result.scans[3].surfaces is None
     assert any(text.startswith("s3 shares too few plane surfaces") for text in result.warnings)
+
+
+def test_a_scan_whose_scanner_is_not_known_is_not_tied_and_it_is_said(rooms):
+    unknown = {**rooms.surfaces, "s3": replace(rooms.surfaces["s3"], facing=False)}
+    result = rooms.registered(surfaces=unknown)
+
+    assert result.scans[3].surfaces is None
+    assert all("s3" not in item.scans for item in result.surfaces)
+    (warning,) = (text for text in result.warnings if text.startswith("s3 "))
+    assert warning.startswith("s3 is not tied by surfaces, because its cloud does not show where the scanner")
 
 
 def test_the_order_of_the_scans_does_not_matter(rooms, refined):
