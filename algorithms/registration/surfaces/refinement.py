@@ -249,31 +249,38 @@ def _untied(
     surfaces: Mapping[str, Surfaces], sequence: SequentialRegistration, judged: Container[str]
 ) -> list[str]:
     names = [scan.scan.name for scan in sequence.placed if scan.scan.name in surfaces]
-    return [
-        f"{name} {_obstacle(surfaces[name])}; its targets alone hold it."
-        for name in names
-        if name not in judged
-    ]
+    return [_reason(name, surfaces[name]) for name in names if name not in judged]
 
 
-def _obstacle(surfaces: Surfaces) -> str:
+def _reason(name: str, surfaces: Surfaces) -> str:
     if len(surfaces) and not surfaces.facing:
         return (
-            "is not tied by surfaces, because its cloud does not show where the scanner stood, and both "
-            "sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an E57 "
-            "or PTX file of one scan with its pose"
+            f"{name} is not tied by surfaces, because its cloud does not show where the scanner stood, and "
+            "both sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an "
+            "E57 or PTX file of one scan with its pose."
         )
-    return "shares too few plane surfaces with another scan to be tied by them"
+    return (
+        f"{name} shares too few plane surfaces with another scan to be tied by them; its targets alone "
+        "hold it."
+    )
 
 
 def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:
-    """Say along which direction scans slide, as in a corridor."""
-    return [
-        f"{item.scans[0]} and {item.scans[1]} slide along the surfaces that they share, "
-        f"{_spoken(direction)}; in that direction, targets alone hold them."
-        for item in shared
-        for direction in item.free
-    ]
+    """Say along which direction scans slide, as in a corridor, or that they do so along a plane."""
+    sentences = []
+    for item in shared:
+        one, other = item.scans
+        if len(item.free) == 1:
+            sentences.append(
+                f"{one} and {other} slide along the surfaces that they share, {_spoken(item.free[0])}; in "
+                "that direction, targets alone hold them."
+            )
+        elif len(item.free):
+            sentences.append(
+                f"{one} and {other} share only surfaces that face one way, and slide in all directions along "
+                "them; there, targets alone hold them."
+            )
+    return sentences
 
 
 def _spoken(direction: np.ndarray) -> str:

@@ -141,6 +141,19 @@ def test_a_corridor_holds_nothing_along_its_axis_and_says_so():
     assert result.scans[-1].surfaces.used
 
 
+def test_a_floor_alone_leaves_all_its_directions_free_and_names_none():
+    yard = Rooms(2, seed=3)
+    floor = box((0, 0, 0), (18, 5, 3))[4:5]
+    surfaces = {
+        name: surfaces_in(matrix, floor, matrix[:3, 3], number, 0.001)
+        for number, (name, matrix) in enumerate(yard.matrices.items())
+    }
+    (warning,) = (text for text in yard.registered(surfaces).warnings if "slide" in text)
+
+    assert "slide in all directions along them" in warning
+    assert "azimuth" not in warning
+
+
 def test_a_scan_that_shares_nothing_is_held_by_its_targets_and_it_is_said(rooms):
     few = {name: rooms.surfaces[name] for name in ("s0", "s1")}
     few["s3"] = rooms.surfaces["s3"]
