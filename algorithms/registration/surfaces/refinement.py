@@ -146,7 +146,7 @@ class _Block:
         for pair, gate in gates.items():
             progress.check()
             one, other = (Placed(self.surfaces[self._name(number)], poses[number]) for number in pair)
-            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs)
+            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs, self.settings.model)
             if tie is not None:
                 ties.append(tie)
         return ties
