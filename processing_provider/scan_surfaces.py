@@ -11,14 +11,14 @@ from .log import Log
 if TYPE_CHECKING:
     from ..algorithms.progress import Progress
     from ..algorithms.registration.lists.point_list import PointList
+    from ..algorithms.registration.settings import Settings
     from ..algorithms.registration.surfaces.patches import Surfaces
-    from ..algorithms.registration.surfaces.settings import SurfaceSettings
 
 
 def surfaces_of_scans(
     paths: Sequence[str],
     lists: "Sequence[PointList]",
-    settings: "SurfaceSettings",
+    settings: "Settings",
     log: Log,
     progress: "Progress",
 ) -> "dict[str, Surfaces]":
@@ -29,36 +29,63 @@ def surfaces_of_scans(
     paths : sequence of str
         Of the clouds; what is given twice counts once.
     lists : sequence of PointList
-    settings : SurfaceSettings
+    settings : Settings
     log : Log
     progress : Progress
 
     Raises
     ------
     InputError
-        If there are no clouds, or a file cannot be read.
+        If fewer than two scans have a cloud or one has two, if a file cannot be read, or if the scale of the
+        scans may be any, because surfaces are searched and paired in metres.
     """
     if not paths:
         raise InputError("REFINE needs the clouds of the scans; choose them in SCANS.")
+    if settings.free_scale:
+        raise InputError(
+            "REFINE needs scans in metres, but with MODEL and MATCHING as chosen, their scale may be any; "
+            "choose a MODEL without scale, or leave REFINE out."
+        )
     missing = lacking(FOR_CLOUDS)
     if missing:
         raise InputError(explain_missing(missing))
     from ..algorithms.clouds.cloud import open_scans, parts
-    from ..algorithms.registration.lists.scan_names import scan_of_cloud
     from ..algorithms.registration.surfaces.patches import read_surfaces
 
-    names = [points.name for points in lists]
-    found: dict[str, Surfaces] = {}
-    cloud = open_scans(list(dict.fromkeys(paths)))
+    clouds = _clouds_of([points.name for points in lists], paths, log)
+    cloud = open_scans(list(clouds.values()))
     log.warn(cloud.warnings)
-    for source, part in parts(cloud.sources, progress):
-        number = scan_of_cloud(names, Path(source.path))
-        if number is None:
-            log.warn(
-                [f"{source.path.name} is not used to tie scans, because no list of targets has its name."]
-            )
-            continue
+    found: dict[str, Surfaces] = {}
+    for name, (source, part) in zip(clouds, parts(cloud.sources, progress)):
         part.update(0.0, f"Finding the surfaces of {source.path.name}")
-        found[names[number]] = read_surfaces(source, settings.patches, part)
-        log.info(f"{names[number]}: {len(found[names[number]])} plane cells.")
+        found[name] = read_surfaces(source, settings.surfaces, part)
+        log.info(f"{name}: {len(found[name])} plane cells.")
+    return found
+
+
+def _clouds_of(names: Sequence[str], paths: Sequence[str], log: Log) -> dict[str, Path]:
+    """Return the cloud of each scan by its name, and say which cloud or scan has no partner."""
+    from ..algorithms.registration.lists.scan_names import scan_of_cloud
+
+    found: dict[str, Path] = {}
+    for path in {Path(path).resolve(): Path(path) for path in paths}.values():
+        number = scan_of_cloud(names, path)
+        if number is None:
+            log.warn([f"{path.name} is not used to tie scans, because no list of targets has its name."])
+        elif names[number] in found:
+            raise InputError(
+                f"{found[names[number]]} and {path} are both named after the list {names[number]}; choose "
+                "one of them as its cloud."
+            )
+        else:
+            found[names[number]] = path
+    log.warn(
+        f"{name} is not tied by surfaces, because no cloud has its name; its targets alone hold it."
+        for name in names
+        if name not in found
+    )
+    if len(found) < 2:
+        raise InputError(
+            "REFINE needs the clouds of at least two scans; choose them in SCANS, each named after its list."
+        )
     return found

@@ -116,7 +116,7 @@ class RegisterScansAlgorithm(Algorithm):
         surfaces = {}
         if values["REFINE"]:
             clouds, progress = [*given.scans, *values["SCANS"]], log.progress.part(searched, read)
-            surfaces = surfaces_of_scans(clouds, scans, settings.surfaces, log, progress)
+            surfaces = surfaces_of_scans(clouds, scans, settings, log, progress)
         registration = register_scans(control, scans, settings, log.progress.part(read, 1.0), surfaces)
         _log(registration, log)
         if not registration.registered:

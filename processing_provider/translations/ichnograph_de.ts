@@ -3481,8 +3481,13 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which its targets rule out; they are not used. Look for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
-        <translation>Die Flächen, die %1 mit anderen Scans gemeinsam hat, würden ihn um %2 mm verschieben, %3 Standardabweichungen, was seine Zielmarken ausschließen; sie werden nicht verwendet. Nach Dingen suchen, die zwischen den Scans bewegt wurden, oder nach einer Punktwolke, die nicht die der Zielmarken ist.</translation>
+        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which the targets, also those that scans share, rule out; they are not used. Look, also in the scans beside it, for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
+        <translation>Die Flächen, die %1 mit anderen Scans gemeinsam hat, würden ihn um %2 mm verschieben, %3 Standardabweichungen, was die Zielmarken, auch die gemeinsamen der Scans, ausschließen; sie werden nicht verwendet. Auch in den benachbarten Scans nach Dingen suchen, die zwischen den Scans bewegt wurden, oder nach einer Punktwolke, die nicht die der Zielmarken ist.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 is not tied by surfaces, because its cloud does not show where the scanner stood, and both sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an E57 or PTX file of one scan with its pose.</source>
+        <translation>%1 wird nicht durch Flächen verknüpft, weil seine Punktwolke nicht zeigt, wo der Scanner stand, und beide Seiten einer Wand für eine gehalten würden; die Punktwolke im System des Scanners angeben, oder eine E57- oder PTX-Datei mit einem Scan und seiner Pose.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -3493,6 +3498,11 @@
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
         <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie allein Zielmarken.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
+        <translation>%1 und %2 haben nur Flächen einer Richtung gemeinsam und gleiten in alle Richtungen an ihnen entlang; dort halten sie allein Zielmarken.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -7452,8 +7462,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>
-        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
-        <translation>%1 wird nicht verwendet, um Scans zu verknüpfen, weil keine Liste von Zielmarken so heißt.</translation>
+        <source>REFINE needs scans in metres, but with MODEL and MATCHING as chosen, their scale may be any; choose a MODEL without scale, or leave REFINE out.</source>
+        <translation>REFINE braucht Scans in Metern, aber mit MODEL und MATCHING wie gewählt darf ihr Maßstab beliebig sein; ein MODEL ohne Maßstab wählen oder REFINE weglassen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>
@@ -7464,6 +7474,26 @@
         <location filename="../../processing_provider/scan_surfaces.py"/>
         <source>%1: %2 plane cells.</source>
         <translation>%1: %2 ebene Zellen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
+        <translation>%1 wird nicht verwendet, um Scans zu verknüpfen, weil keine Liste von Zielmarken so heißt.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 and %2 are both named after the list %3; choose one of them as its cloud.</source>
+        <translation>%1 und %2 heißen beide wie die Liste %3; eine davon als ihre Punktwolke wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not tied by surfaces, because no cloud has its name; its targets alone hold it.</source>
+        <translation>%1 wird nicht durch Flächen verknüpft, weil keine Punktwolke so heißt; allein seine Zielmarken halten ihn.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>REFINE needs the clouds of at least two scans; choose them in SCANS, each named after its list.</source>
+        <translation>REFINE braucht die Punktwolken von mindestens zwei Scans; sie in SCANS wählen, jede wie ihre Liste benannt.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/styles/control_points.qml"/>

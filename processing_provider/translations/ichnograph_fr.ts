@@ -3481,8 +3481,13 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which its targets rule out; they are not used. Look for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
-        <translation>Les surfaces que %1 a en commun avec d&#x27;autres scans le déplaceraient de %2 mm, %3 écarts types, ce que ses cibles excluent ; elles ne sont pas utilisées. Chercher des objets déplacés entre les scans, ou un nuage qui n&#x27;est pas celui des cibles.</translation>
+        <source>The surfaces that %1 shares with other scans would move it by %2 mm, %3 standard deviations, which the targets, also those that scans share, rule out; they are not used. Look, also in the scans beside it, for things that were moved between the scans, or for a cloud that is not the one of the targets.</source>
+        <translation>Les surfaces que %1 a en commun avec d&#x27;autres scans le déplaceraient de %2 mm, %3 écarts types, ce que les cibles, y compris celles que les scans ont en commun, excluent ; elles ne sont pas utilisées. Chercher, aussi dans les scans voisins, des objets déplacés entre les scans, ou un nuage qui n&#x27;est pas celui des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 is not tied by surfaces, because its cloud does not show where the scanner stood, and both sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an E57 or PTX file of one scan with its pose.</source>
+        <translation>%1 n&#x27;est pas relié par des surfaces, car son nuage ne montre pas où se trouvait le scanner, et les deux faces d&#x27;un mur seraient prises pour une seule ; donner le nuage dans le repère du scanner, ou un fichier E57 ou PTX d&#x27;un seul scan avec sa pose.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -3493,6 +3498,11 @@
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
         <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seules les cibles les tiennent.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
+        <translation>%1 et %2 n&#x27;ont en commun que des surfaces d&#x27;une seule orientation et glissent le long de celles-ci dans toutes les directions ; là, seules les cibles les tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -7452,8 +7462,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>
-        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
-        <translation>%1 n&#x27;est pas utilisé pour relier les scans, car aucune liste de cibles ne porte son nom.</translation>
+        <source>REFINE needs scans in metres, but with MODEL and MATCHING as chosen, their scale may be any; choose a MODEL without scale, or leave REFINE out.</source>
+        <translation>REFINE a besoin de scans en mètres, mais avec MODEL et MATCHING tels que choisis, leur échelle peut être quelconque ; choisir un MODEL sans échelle, ou renoncer à REFINE.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>
@@ -7464,6 +7474,26 @@
         <location filename="../../processing_provider/scan_surfaces.py"/>
         <source>%1: %2 plane cells.</source>
         <translation>%1 : %2 cellules planes.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not used to tie scans, because no list of targets has its name.</source>
+        <translation>%1 n&#x27;est pas utilisé pour relier les scans, car aucune liste de cibles ne porte son nom.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 and %2 are both named after the list %3; choose one of them as its cloud.</source>
+        <translation>%1 et %2 portent tous deux le nom de la liste %3 ; choisir l&#x27;un d&#x27;eux comme son nuage.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 is not tied by surfaces, because no cloud has its name; its targets alone hold it.</source>
+        <translation>%1 n&#x27;est pas relié par des surfaces, car aucun nuage ne porte son nom ; ses cibles seules le tiennent.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>REFINE needs the clouds of at least two scans; choose them in SCANS, each named after its list.</source>
+        <translation>REFINE a besoin des nuages d&#x27;au moins deux scans ; les choisir dans SCANS, chacun portant le nom de sa liste.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/styles/control_points.qml"/>

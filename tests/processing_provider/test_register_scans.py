@@ -10,7 +10,6 @@ import pytest
 from ichnograph.algorithms.registration.output.layers import CONTROL_FIELDS, RESIDUAL_FIELDS
 from ichnograph.tests.scenes.stations.caster import Scanner
 from ichnograph.tests.scenes.stations.layout import target_station
-from ichnograph.tests.scenes.surface_rooms import box, in_frame, seen, tilted
 from ichnograph.tests.scenes.targets import target_scene
 from rasterio.crs import CRS
 from scipy.spatial.transform import Rotation
@@ -313,64 +312,6 @@ def test_scans_without_targets_are_refused_with_the_tests_that_failed(refuse, ra
     np.savetxt(tmp_path / "bare.xyz", np.column_stack([xyz, np.full(len(xyz), 900)]), "%.4f %.4f %.4f %d")
 
     assert "No target was found" in refuse(**{**raw, "TARGETS": [str(tmp_path / "bare.xyz")]})
-
-
-@pytest.fixture(scope="module")
-def two_clouds(tmp_path_factory):
-    """Write the control points of a room, and two scans of it with their lists of targets."""
-    folder = tmp_path_factory.mktemp("room")
-    random = np.random.default_rng(4)
-    faces = box((0, 0, 0), (6, 5, 3)) + box((2, 0, 0), (3, 0.6, 2))
-    places = random.uniform((0, 0, 0), (6, 5, 3), (6, 3))
-    np.savetxt(folder / "control.txt", places, fmt="%.4f")
-    for number, station in enumerate([(1.5, 2.0, 1.6), (4.5, 3.0, 1.6)]):
-        matrix = np.eye(4)
-        matrix[:3, :3], matrix[:3, 3] = tilted(50 + 80 * number, (0.5, -0.4)), station
-        own = (places - station) @ matrix[:3, :3] + random.normal(0, 0.003, places.shape)
-        np.savetxt(folder / f"s{number}.txt", own, fmt="%.4f")
-        points = in_frame(seen(faces, station, step_deg=1.2, seed=number), station, matrix)
-        np.savetxt(folder / f"s{number}.xyz", points, fmt="%.4f")
-    lists = [str(folder / f"s{number}.txt") for number in range(2)]
-    return {"CONTROL": str(folder / "control.txt"), "TARGETS": lists, "CRS": "EPSG:25833"}
-
-
-def test_scans_are_tied_by_the_surfaces_of_their_clouds(run, two_clouds, outputs, feedback):
-    clouds = [path.replace(".txt", ".xyz") for path in two_clouds["TARGETS"]]
-    run("registerscans", feedback, **two_clouds, REFINE=True, SCANS=clouds, **outputs)
-    document = json.loads(Path(outputs["TRANSFORMS"]).read_text(encoding="utf-8"))
-
-    (shared,) = document["surfaces"]
-    assert shared["scans"] == ["s0", "s1"]
-    assert shared["patches"] > 50
-    assert 0 < shared["rms"] < 0.003
-    for scan in document["scans"]:
-        assert scan["surfaces"]["used"]
-        assert 0 < scan["surfaces"]["sigmas"] < 2.5
-    assert any("s0 and s1 share" in line for line in feedback.infos)
-    assert any(line.startswith("s1: Surfaces moved its targets") for line in feedback.infos)
-    assert "Surfaces that tie the scans" in Path(outputs["REPORT"]).read_text(encoding="utf-8")
-
-
-def test_without_refine_the_clouds_change_nothing(run, two_clouds, outputs):
-    clouds = [path.replace(".txt", ".xyz") for path in two_clouds["TARGETS"]]
-    written = []
-    for more in ({}, {"SCANS": clouds}):
-        run("registerscans", **two_clouds, **more, TRANSFORMS=outputs["TRANSFORMS"])
-        written.append(Path(outputs["TRANSFORMS"]).read_bytes())
-
-    assert written[0] == written[1]
-
-
-def test_surfaces_need_clouds(refuse, two_clouds, outputs):
-    assert "needs the clouds of the scans; choose them in" in refuse(**two_clouds, REFINE=True, **outputs)
-
-
-def test_a_cloud_without_a_list_is_said_and_not_used(run, two_clouds, outputs, feedback):
-    clouds = [path.replace(".txt", ".xyz") for path in two_clouds["TARGETS"]]
-    lists = two_clouds["TARGETS"][:1]
-    run("registerscans", feedback, **{**two_clouds, "TARGETS": lists}, REFINE=True, SCANS=clouds, **outputs)
-
-    assert any(line.startswith("s1.xyz is not used to tie scans") for line in feedback.warnings)
 
 
 def test_control_points_with_northing_before_easting_are_said(run, scene, outputs, tmp_path, feedback):

@@ -7,6 +7,7 @@ import numpy as np
 
 from ...geometry.robust import sigma_of_residuals
 from ..adjustment.similarity import Pose
+from ..settings import Model
 from .cells import packed
 from .patches import Surfaces
 from .settings import PairSettings
@@ -40,7 +41,12 @@ class Placed:
 
 
 def paired(
-    one: Placed, other: Placed, scans: tuple[int, int], gate: float, settings: PairSettings
+    one: Placed,
+    other: Placed,
+    scans: tuple[int, int],
+    gate: float,
+    settings: PairSettings,
+    model: Model = Model.RIGID,
 ) -> Optional[Tie]:
     """Return what ties two scans, or None if they share too little.
 
@@ -50,10 +56,13 @@ def paired(
     Parameters
     ----------
     one, other : Placed
+        With normals towards their scanners.
     scans : tuple of int
     gate : float
         Metres.
     settings : PairSettings
+    model : Model
+        Of the transformation of both.
     """
     forth = _nearest(one, other, gate, settings)
     rows = np.flatnonzero(forth >= 0)
@@ -65,7 +74,7 @@ def paired(
     if len(rows) < settings.fewest_patches:
         return None
     tie = _averaged(one, other, rows, partners, scans, settings)
-    kept = _trimmed(tie, one.pose, other.pose, settings)
+    kept = _trimmed(tie, one.pose, other.pose, settings, model)
     return kept if len(kept) >= settings.fewest_patches else None
 
 
@@ -83,15 +92,14 @@ def _nearest(one: Placed, other: Placed, gate: float, settings: PairSettings) ->
     distances, rows = theirs.tree.query(centres, range(1, NEAREST + 1), distance_upper_bound=reach)
     known = np.isfinite(distances)
     rows = np.where(known, rows, 0)
-    # Partners overlap: their middles are closer than half of both edges.
+    # Partners overlap, or touch: the middles of cells that are filled in part lie anywhere in them.
     known &= distances < np.hypot((one.surfaces.edges[inside, None] + theirs.edges[rows]) / 2, gate)
     facing = np.einsum("ij,ikj->ik", normals, theirs.normals[rows])
-    both = normals[:, None, :] + np.where(facing < 0, -1.0, 1.0)[:, :, None] * theirs.normals[rows]
-    both /= np.linalg.norm(both, axis=2, keepdims=True)
+    both = normals[:, None, :] + theirs.normals[rows]
+    # Only of cells that face away from each other, which are no partners, is the sum shorter than 1.
+    both /= np.maximum(np.linalg.norm(both, axis=2, keepdims=True), 1.0)
     off = np.abs(np.einsum("ikj,ikj->ik", both, centres[:, None, :] - theirs.centres[rows]))
-    if one.surfaces.facing and theirs.facing:
-        known &= facing > 0
-    known &= (np.abs(facing) > np.cos(np.radians(settings.facing_deg))) & (off < gate)
+    known &= (facing > np.cos(np.radians(settings.facing_deg))) & (off < gate)
     distances = np.where(known, distances, np.inf)
     best = distances.argmin(axis=1)
     every = np.arange(len(inside))
@@ -142,13 +150,13 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
     return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
-def _trimmed(tie: Tie, one: Pose, other: Pose, settings: PairSettings) -> Tie:
+def _trimmed(tie: Tie, one: Pose, other: Pose, settings: PairSettings, model: Model) -> Tie:
     """Return the tie without patches that are far off, with the scatter of the others in the variances.
 
     Both are measured after the motion of one scan that brings the patches together best: otherwise an error
     of the poses would look like scatter, and surfaces would yield to it.
     """
-    distances, motions = tie.distances(one, other), tie.motions(one, other)
+    distances, motions = tie.distances(one, other), tie.motions(one, other, model)
     kept = np.ones(len(tie), bool)
     for _ in range(settings.trimming_rounds):
         motion = np.linalg.lstsq(motions[kept], distances[kept], rcond=None)[0]

@@ -14,7 +14,8 @@ from ...clouds.settings import ReadingSettings
 from ...clouds.source import Source
 from ...progress import Progress
 from .cells import Cells, cells_of, packed, unpacked
-from .settings import PatchSettings
+from .settings import PatchSettings, StationSettings, SurfaceSettings
+from .visibility import hidden_share
 
 NEIGHBOURS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
 NEIGHBOURS = NEIGHBOURS[len(NEIGHBOURS) // 2 + 1 :]
@@ -74,28 +75,35 @@ class Surfaces:
         return np.array(list(product(*zip(*self.box))))
 
     def seen_from(self, station: np.ndarray) -> "Surfaces":
-        """Return the surfaces with normals towards a scanner; as they are if it is far from all of them.
-
-        The origin of a cloud that was moved before is far from it, and was not the scanner.
-        """
-        if not len(self):
-            return self
-        low, high = self.box
-        if np.linalg.norm(np.maximum(low - station, station - high).clip(min=0)) > np.linalg.norm(high - low):
-            return self
+        """Return the surfaces with normals towards a scanner."""
         towards = np.einsum("ij,ij->i", self.normals, station - self.centres)
         return replace(self, normals=np.where(towards < 0, -1.0, 1.0)[:, None] * self.normals, facing=True)
 
+    def can_be_seen_from(self, station: np.ndarray, settings: StationSettings = StationSettings()) -> bool:
+        """Return whether a position may be that of the scanner.
+
+        The origin of a cloud that was moved before lies far from it, or behind its walls.
+        """
+        if not len(self):
+            return False
+        low, high = self.box
+        if np.linalg.norm(np.maximum(low - station, station - high).clip(min=0)) > np.linalg.norm(high - low):
+            return False
+        hidden = hidden_share(station, self.centres, self.normals, self.edges, settings)
+        return hidden <= settings.most_hidden
+
 
 def read_surfaces(
-    source: Source, settings: PatchSettings = PatchSettings(), progress: Progress = Progress()
+    source: Source, settings: SurfaceSettings = SurfaceSettings(), progress: Progress = Progress()
 ) -> Surfaces:
     """Find the plane cells of a scan, in the coordinates of its file.
+
+    The scanner is where the file states it, or else at the origin, if all can be seen from there.
 
     Parameters
     ----------
     source : Source
-    settings : PatchSettings
+    settings : SurfaceSettings
     progress : Progress
 
     Raises
@@ -111,13 +119,16 @@ def read_surfaces(
 
     def points() -> Iterator[np.ndarray]:
         for chunk in source.chunks(origin, progress, ReadingSettings.chunk_points):
-            stations.append(-origin if chunk.station is None else chunk.station)
+            stations.append(chunk.station)
             yield chunk.xyz
 
-    surfaces = surfaces_of(points(), settings)
-    if any(not np.array_equal(station, stations[0]) for station in stations):
-        return surfaces.shifted(origin)
-    return surfaces.seen_from(stations[0]).shifted(origin)
+    surfaces = surfaces_of(points(), settings.patches)
+    (stated, *others) = {None if each is None else tuple(each) for each in stations}
+    if not others and stated is not None:
+        surfaces = surfaces.seen_from(np.array(stated))
+    elif not others and surfaces.can_be_seen_from(-origin, settings.stations):
+        surfaces = surfaces.seen_from(-origin)
+    return surfaces.shifted(origin)
 
 
 def surfaces_of(chunks: Iterable[np.ndarray], settings: PatchSettings = PatchSettings()) -> Surfaces:

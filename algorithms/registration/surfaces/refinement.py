@@ -1,11 +1,12 @@
 """All scans adjusted by their targets and by the surfaces that they share, in one block.
 
 Surfaces are paired at the poses at hand, adjusted together with the targets, and paired again. A scan that
-they move farther than its targets allow contradicts them: its surfaces are left out.
+they move farther than its targets allow, or against the targets that it shares with others, contradicts
+them: its surfaces are left out.
 """
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Optional
 
@@ -78,13 +79,12 @@ def refine(
     while True:
         adjusted, ties = block.tied(left_out, progress.part(len(left_out) / len(sequence.placed), 1.0))
         changes = block.changes(adjusted, ties)
-        wrong = [name for name, change in changes.items() if not change.used]
-        if not wrong:
+        worst = block.worst(adjusted, changes)
+        if worst is None:
             shared = tuple(block.shared(tie, adjusted) for tie in ties)
-            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, changes, left_out))
+            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, {**left_out, **changes}))
             return Refined(adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared)))
-        worst = max(wrong, key=lambda name: changes[name].sigmas)
-        left_out[worst] = changes[worst]
+        left_out[worst] = replace(changes[worst], used=False)
 
 
 @dataclass(frozen=True)
@@ -126,11 +126,11 @@ class _Block:
         return self.sequence.placed[number].scan.name
 
     def _pairs(self, left_out: Container[str]) -> list[ScanPair]:
-        """Return the scans whose boxes overlap."""
+        """Return the scans whose boxes overlap, of those whose scanners are known."""
         boxes = {}
         for number, pose in enumerate(self.by_targets.block.poses):
             own = self._of(number)
-            if own is not None and self._name(number) not in left_out:
+            if own is not None and own.facing and self._name(number) not in left_out:
                 corners = pose.apply(own.corners())
                 boxes[number] = corners.min(axis=0), corners.max(axis=0)
         gate = self.settings.surfaces.pairs.gate_m
@@ -146,7 +146,7 @@ class _Block:
         for pair, gate in gates.items():
             progress.check()
             one, other = (Placed(self.surfaces[self._name(number)], poses[number]) for number in pair)
-            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs)
+            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs, self.settings.model)
             if tie is not None:
                 ties.append(tie)
         return ties
@@ -163,20 +163,45 @@ class _Block:
 
     def changes(self, adjusted: Adjusted, ties: list[Tie]) -> dict[str, SurfaceChange]:
         """Return what surfaces change of the scans that they tie, by their names."""
-        before, limits = self.by_targets.block, self.settings.adjustment.tests
-        test = global_test(before.sum_of_squares, before.redundancy, limits)
-        # A small sigma0 of few redundant observations does not make targets more exact.
-        spread = max(spread_factor(test, limits), 1.0)
+        before = self.by_targets.block
         return {
             self._name(number): _change(
                 self.sequence.placed[number].scan.xyz,
                 before.poses[number],
                 adjusted.block.poses[number],
-                spread**2 * before.pose_cofactors[number],
+                self._spread**2 * before.pose_cofactors[number],
                 self.settings,
             )
             for number in sorted({number for tie in ties for number in tie.scans})
         }
+
+    @property
+    def _spread(self) -> float:
+        """The standard deviation of unit weight by the targets alone."""
+        before, limits = self.by_targets.block, self.settings.adjustment.tests
+        test = global_test(before.sum_of_squares, before.redundancy, limits)
+        # A small sigma0 of few redundant observations does not make targets more exact.
+        return max(spread_factor(test, limits), 1.0)
+
+    def worst(self, adjusted: Adjusted, changes: Mapping[str, SurfaceChange]) -> Optional[str]:
+        """Return the scan whose surfaces contradict the targets most, or None if none do.
+
+        At the end of a chain, a pose may change much, yet not against its neighbour: two scans that surfaces
+        tear apart show only in the residuals of the targets that they share.
+        """
+        wrong = [name for name, change in changes.items() if not change.used]
+        if wrong:
+            return max(wrong, key=lambda name: changes[name].sigmas)
+        before, after = self.by_targets.block, adjusted.block
+        growth = (after.sum_of_squares - before.sum_of_squares) / self._spread**2
+        count = self.settings.model.unknowns * (len(changes) - 1)
+        if not changes or growth <= stats.chi2.isf(self.settings.surfaces.refinement.significance, count):
+            return None
+        grown = {
+            self._name(number): float(new.squares.mean() - old.squares.mean())
+            for number, (old, new) in enumerate(zip(before.targets, after.targets))
+        }
+        return max(changes, key=lambda name: grown[name])
 
     def shared(self, tie: Tie, adjusted: Adjusted) -> SharedSurfaces:
         """Return what a tie shows after the adjustment."""
@@ -213,35 +238,49 @@ def _parameters(old: Pose, new: Pose, model: Model) -> np.ndarray:
 def _contradictions(left_out: Mapping[str, SurfaceChange]) -> list[str]:
     return [
         f"The surfaces that {name} shares with other scans would move it by {1000 * change.shift:.1f} mm, "
-        f"{change.sigmas:.1f} standard deviations, which its targets rule out; they are not used. Look for "
-        "things that were moved between the scans, or for a cloud that is not the one of the targets."
+        f"{change.sigmas:.1f} standard deviations, which the targets, also those that scans share, rule out; "
+        "they are not used. Look, also in the scans beside it, for things that were moved between the scans, "
+        "or for a cloud that is not the one of the targets."
         for name, change in left_out.items()
     ]
 
 
 def _untied(
-    surfaces: Mapping[str, Surfaces],
-    sequence: SequentialRegistration,
-    changes: Mapping[str, SurfaceChange],
-    left_out: Mapping[str, SurfaceChange],
+    surfaces: Mapping[str, Surfaces], sequence: SequentialRegistration, judged: Container[str]
 ) -> list[str]:
     names = [scan.scan.name for scan in sequence.placed if scan.scan.name in surfaces]
-    return [
+    return [_reason(name, surfaces[name]) for name in names if name not in judged]
+
+
+def _reason(name: str, surfaces: Surfaces) -> str:
+    if len(surfaces) and not surfaces.facing:
+        return (
+            f"{name} is not tied by surfaces, because its cloud does not show where the scanner stood, and "
+            "both sides of a wall would be taken for one; give the cloud in the frame of the scanner, or an "
+            "E57 or PTX file of one scan with its pose."
+        )
+    return (
         f"{name} shares too few plane surfaces with another scan to be tied by them; its targets alone "
         "hold it."
-        for name in names
-        if name not in changes and name not in left_out
-    ]
+    )
 
 
 def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:
-    """Say along which direction scans slide, as in a corridor."""
-    return [
-        f"{item.scans[0]} and {item.scans[1]} slide along the surfaces that they share, "
-        f"{_spoken(direction)}; in that direction, targets alone hold them."
-        for item in shared
-        for direction in item.free
-    ]
+    """Say along which direction scans slide, as in a corridor, or that they do so along a plane."""
+    sentences = []
+    for item in shared:
+        one, other = item.scans
+        if len(item.free) == 1:
+            sentences.append(
+                f"{one} and {other} slide along the surfaces that they share, {_spoken(item.free[0])}; in "
+                "that direction, targets alone hold them."
+            )
+        elif len(item.free):
+            sentences.append(
+                f"{one} and {other} share only surfaces that face one way, and slide in all directions along "
+                "them; there, targets alone hold them."
+            )
+    return sentences
 
 
 def _spoken(direction: np.ndarray) -> str:

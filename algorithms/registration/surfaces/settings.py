@@ -26,6 +26,19 @@ class PatchSettings:
 
 
 @dataclass(frozen=True)
+class StationSettings:
+    """Whether the origin of a file that states no station was the scanner."""
+
+    rays: int = statistical(400, "From a scanner to its cells; they show shares to a few percent.")
+    clearance: float = judged(
+        1.0, "Times the sum of both edges: one surface, as noise bends it, does not hide itself."
+    )
+    most_hidden: float = judged(
+        0.05, "Mirrors and windows show some surfaces behind walls; from the next room, walls hide most."
+    )
+
+
+@dataclass(frozen=True)
 class PairSettings:
     """Which patches of two scans are the same surface, and how exactly."""
 
@@ -73,5 +86,6 @@ class SurfaceSettings:
     """The settings of all stages."""
 
     patches: PatchSettings = PatchSettings()
+    stations: StationSettings = StationSettings()
     pairs: PairSettings = PairSettings()
     refinement: RefinementSettings = RefinementSettings()

@@ -40,7 +40,8 @@ class Tie:
         Of the distance of two patches, square metres.
     common_std : float
         Standard deviation of what all patches err by in common, as a small motion of one scan against the
-        other: metres in its middle, and as much at the mean distance of the patches from it.
+        other, with a change of its scale if the model has one: metres in its middle, and as much at the mean
+        distance of the patches from it.
     overlap : float
         The part of the cells of the scan with fewer cells that have a partner, 0..1.
     """
@@ -77,8 +78,8 @@ class Tie:
         """
         scale = 1 / np.sqrt(self.variances)
         design = self._design(one, other, model) * scale[:, None]
-        common = self.motions(one, other) * scale[:, None]
-        inner = common.T @ common + np.eye(6) / self.common_std**2
+        common = self.motions(one, other, model) * scale[:, None]
+        inner = common.T @ common + np.eye(common.shape[1]) / self.common_std**2
         gain = np.linalg.solve(inner, common.T)
         misfit = -self.distances(one, other) * scale
         weighted = design - common @ (gain @ design)
@@ -100,15 +101,19 @@ class Tie:
         back[:, columns] -= turned
         return np.column_stack([forth, -back])
 
-    def motions(self, one: Pose, other: Pose) -> np.ndarray:
-        """Return the derivatives of the distances by a small motion of the first scan, shape (k, 6).
+    def motions(self, one: Pose, other: Pose, model: Model) -> np.ndarray:
+        """Return the derivatives of the distances by a small motion of the first scan, shape (k, 6 or 7).
 
-        Shifts, and rotations about the middle of the patches, in metres at their mean distance from it.
+        Shifts, and rotations about the middle of the patches, in metres at their mean distance from it; if
+        the model has a scale, also its change: an error of all ranges is one.
         """
         normals, places = self.directions(one, other), one.apply(self.centres[0])
         arms = places - places.mean(axis=0)
         radius = np.sqrt((arms**2).sum(axis=1).mean())
-        return np.column_stack([normals, np.cross(arms, normals) / radius])
+        columns = [normals, np.cross(arms, normals) / radius]
+        if model.scaled:
+            columns.append(np.einsum("ij,ij->i", arms, normals) / radius)
+        return np.column_stack(columns)
 
 
 def free_directions(normals: np.ndarray, share: float) -> np.ndarray:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.cloud import open_scans
 from ichnograph.algorithms.registration.surfaces.patches import read_surfaces, surfaces_of
+from ichnograph.tests.scenes.surface_rooms import box, seen
 
 
 def wall(step=0.03, noise=0.002, seed=0, height=2.0):
@@ -57,7 +58,31 @@ def test_sparse_points_give_larger_cells():
 
 
 def test_an_origin_far_from_the_points_was_not_the_scanner():
-    assert not surfaces_of([wall() + [5000, 0, 0]]).seen_from(np.zeros(3)).facing
+    assert surfaces_of([wall()]).can_be_seen_from(np.zeros(3))
+    assert not surfaces_of([wall() + [5000, 0, 0]]).can_be_seen_from(np.zeros(3))
+
+
+def test_a_file_whose_origin_is_in_the_next_room_does_not_show_its_scanner(tmp_path):
+    path, station = tmp_path / "room.xyz", np.array([9.0, 2.0, 1.5])
+    np.savetxt(path, seen(box((6.1, 0, 0), (12, 5, 3)), station, step_deg=1.2) + station, fmt="%.4f")
+    (source,) = open_scans([path]).sources
+
+    assert not read_surfaces(source).facing
+
+
+def test_a_scanner_that_the_file_states_is_believed(tmp_path):
+    # The wall that is nearer to the origin hides the other from it, but not from the scanner between them.
+    points = np.concatenate([wall(), wall() + [0, 2, 0]])
+    rows = "\n".join(f"{x:.4f} {y:.4f} {z:.4f} 0.5" for x, y, z in points - [0, 4, 0])
+    axes = "1 0 0\n0 1 0\n0 0 1"
+    pose = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 4 0 1"
+    path = tmp_path / "walls.ptx"
+    path.write_text(f"{len(points)}\n1\n0 4 0\n{axes}\n{pose}\n{rows}\n")
+    (source,) = open_scans([path]).sources
+    found = read_surfaces(source)
+
+    assert found.facing
+    np.testing.assert_array_equal(found.normals[:, 1] > 0, found.centres[:, 1] < 4)
 
 
 def test_the_order_of_the_points_does_not_matter():

@@ -1,5 +1,7 @@
 """Scans tied by targets and surfaces in one block."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import CancelledError
@@ -112,6 +114,17 @@ def test_surfaces_that_contradict_the_targets_are_left_out_and_it_is_said():
     assert any(text.startswith("The surfaces that s2 shares") for text in result.warnings)
 
 
+@pytest.mark.parametrize("number", [2, 5])
+def test_surfaces_that_tear_scans_apart_against_shared_targets_are_left_out(number):
+    chain = Rooms(6, seed=1)
+    name, wrong = f"s{number}", np.array([0.08, 0.0, 0.0])
+    result = chain.registered({**chain.surfaces, name: chain.surfaces[name].shifted(wrong)})
+
+    assert [scan.name for scan in result.scans if not (scan.surfaces and scan.surfaces.used)] == [name]
+    assert result.test.sigma0 < 1.3
+    assert any(text.startswith(f"The surfaces that {name} shares") for text in result.warnings)
+
+
 def test_a_corridor_holds_nothing_along_its_axis_and_says_so():
     corridor = Rooms(2, seed=3)
     smooth = [face for low in (0, 1, 2) for face in room((6.0 * low, 0, 0), omit=("-x", "+x"))]
@@ -128,6 +141,19 @@ def test_a_corridor_holds_nothing_along_its_axis_and_says_so():
     assert result.scans[-1].surfaces.used
 
 
+def test_a_floor_alone_leaves_all_its_directions_free_and_names_none():
+    yard = Rooms(2, seed=3)
+    floor = box((0, 0, 0), (18, 5, 3))[4:5]
+    surfaces = {
+        name: surfaces_in(matrix, floor, matrix[:3, 3], number, 0.001)
+        for number, (name, matrix) in enumerate(yard.matrices.items())
+    }
+    (warning,) = (text for text in yard.registered(surfaces).warnings if "slide" in text)
+
+    assert "slide in all directions along them" in warning
+    assert "azimuth" not in warning
+
+
 def test_a_scan_that_shares_nothing_is_held_by_its_targets_and_it_is_said(rooms):
     few = {name: rooms.surfaces[name] for name in ("s0", "s1")}
     few["s3"] = rooms.surfaces["s3"]
@@ -135,6 +161,16 @@ def test_a_scan_that_shares_nothing_is_held_by_its_targets_and_it_is_said(rooms)
 
     assert result.scans[3].surfaces is None
     assert any(text.startswith("s3 shares too few plane surfaces") for text in result.warnings)
+
+
+def test_a_scan_whose_scanner_is_not_known_is_not_tied_and_it_is_said(rooms):
+    unknown = {**rooms.surfaces, "s3": replace(rooms.surfaces["s3"], facing=False)}
+    result = rooms.registered(surfaces=unknown)
+
+    assert result.scans[3].surfaces is None
+    assert all("s3" not in item.scans for item in result.surfaces)
+    (warning,) = (text for text in result.warnings if text.startswith("s3 "))
+    assert warning.startswith("s3 is not tied by surfaces, because its cloud does not show where the scanner")
 
 
 def test_the_order_of_the_scans_does_not_matter(rooms, refined):

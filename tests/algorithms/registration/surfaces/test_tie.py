@@ -65,6 +65,15 @@ def test_however_many_patches_leave_the_error_that_they_share(tie):
     assert least.min() > 0.99 * tie.common_std
 
 
+def test_however_many_patches_leave_the_error_of_the_scale_that_they_share(tie):
+    many = replace(tie, variances=tie.variances / 1e4)
+    normal = many.equations(pose(HERE), pose(THERE), Model.SIMILARITY).normal[7:, 7:]
+    arms = tie.centres[0] - tie.centres[0].mean(axis=0)
+    radius = np.sqrt((arms**2).sum(axis=1).mean())
+
+    assert np.sqrt(np.linalg.inv(normal)[-1, -1]) == pytest.approx(tie.common_std / radius, rel=0.05)
+
+
 def test_a_corridor_leaves_its_axis_free_and_a_room_nothing():
     corridor = np.repeat([[0, 1.0, 0], [0, 0, 1.0]], 40, axis=0)
     (axis,) = free_directions(corridor, 0.02)

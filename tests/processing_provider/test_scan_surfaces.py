@@ -1,0 +1,121 @@
+"""`registerscans` with REFINE: clouds that tie scans by their surfaces."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ichnograph.tests.scenes.surface_rooms import box, in_frame, seen, tilted
+
+
+@pytest.fixture
+def outputs(tmp_path):
+    return {"TRANSFORMS": str(tmp_path / "transforms.json"), "REPORT": str(tmp_path / "report.html")}
+
+
+@pytest.fixture
+def refuse(run):
+    from qgis.core import QgsProcessingException
+
+    def refuse(**parameters):
+        with pytest.raises(QgsProcessingException) as caught:
+            run("registerscans", **parameters)
+        return str(caught.value)
+
+    return refuse
+
+
+@pytest.fixture(scope="module")
+def two_clouds(tmp_path_factory):
+    """Write the control points of a room, and two scans of it with their lists of targets."""
+    folder = tmp_path_factory.mktemp("room")
+    random = np.random.default_rng(4)
+    faces = box((0, 0, 0), (6, 5, 3)) + box((2, 0, 0), (3, 0.6, 2))
+    places = random.uniform((0, 0, 0), (6, 5, 3), (6, 3))
+    np.savetxt(folder / "control.txt", places, fmt="%.4f")
+    for number, station in enumerate([(1.5, 2.0, 1.6), (4.5, 3.0, 1.6)]):
+        matrix = np.eye(4)
+        matrix[:3, :3], matrix[:3, 3] = tilted(50 + 80 * number, (0.5, -0.4)), station
+        own = (places - station) @ matrix[:3, :3] + random.normal(0, 0.003, places.shape)
+        np.savetxt(folder / f"s{number}.txt", own, fmt="%.4f")
+        points = in_frame(seen(faces, station, step_deg=1.2, seed=number), station, matrix)
+        np.savetxt(folder / f"s{number}.xyz", points, fmt="%.4f")
+    lists = [str(folder / f"s{number}.txt") for number in range(2)]
+    return {"CONTROL": str(folder / "control.txt"), "TARGETS": lists, "CRS": "EPSG:25833"}
+
+
+@pytest.fixture
+def clouds(two_clouds):
+    """Return the clouds of both scans."""
+    return [path.replace(".txt", ".xyz") for path in two_clouds["TARGETS"]]
+
+
+def test_scans_are_tied_by_the_surfaces_of_their_clouds(run, two_clouds, clouds, outputs, feedback):
+    run("registerscans", feedback, **two_clouds, REFINE=True, SCANS=clouds, **outputs)
+    document = json.loads(Path(outputs["TRANSFORMS"]).read_text(encoding="utf-8"))
+
+    (shared,) = document["surfaces"]
+    assert shared["scans"] == ["s0", "s1"]
+    assert shared["patches"] > 50
+    assert 0 < shared["rms"] < 0.003
+    for scan in document["scans"]:
+        assert scan["surfaces"]["used"]
+        assert 0 < scan["surfaces"]["sigmas"] < 2.5
+    assert any("s0 and s1 share" in line for line in feedback.infos)
+    assert any(line.startswith("s1: Surfaces moved its targets") for line in feedback.infos)
+    assert "Surfaces that tie the scans" in Path(outputs["REPORT"]).read_text(encoding="utf-8")
+
+
+def test_without_refine_the_clouds_change_nothing(run, two_clouds, clouds, outputs):
+    written = []
+    for more in ({}, {"SCANS": clouds}):
+        run("registerscans", **two_clouds, **more, TRANSFORMS=outputs["TRANSFORMS"])
+        written.append(Path(outputs["TRANSFORMS"]).read_bytes())
+
+    assert written[0] == written[1]
+
+
+def test_surfaces_need_clouds(refuse, two_clouds, outputs):
+    assert "needs the clouds of the scans; choose them in" in refuse(**two_clouds, REFINE=True, **outputs)
+
+
+def test_a_cloud_without_a_list_and_a_list_without_a_cloud_are_said(
+    run, two_clouds, clouds, outputs, feedback, tmp_path
+):
+    other = Path(shutil.copy(clouds[1], tmp_path / "other.xyz"))
+    alone = shutil.copy(two_clouds["TARGETS"][1], tmp_path / "alone.txt")
+    targets = [*two_clouds["TARGETS"], alone]
+    given = {**two_clouds, "TARGETS": targets, "SCANS": [*clouds, str(other)]}
+    run("registerscans", feedback, **given, REFINE=True, **outputs)
+
+    assert any(line.startswith("other.xyz is not used to tie scans") for line in feedback.warnings)
+    assert any(line.startswith("alone is not tied by surfaces, because no") for line in feedback.warnings)
+    assert not any(line.startswith("s1 is not tied") for line in feedback.warnings)
+
+
+def test_one_cloud_ties_nothing(refuse, two_clouds, clouds, outputs):
+    said = refuse(**two_clouds, REFINE=True, SCANS=clouds[:1], **outputs)
+
+    assert "needs the clouds of at least two scans" in said
+
+
+def test_two_clouds_of_one_list_are_refused_by_their_names(refuse, two_clouds, clouds, outputs, tmp_path):
+    second = shutil.copy(clouds[0], tmp_path / "s0.xyz")
+    said = refuse(**two_clouds, REFINE=True, SCANS=[*clouds, str(second)], **outputs)
+
+    assert f"{clouds[0]} and {second} are both named after the list s0" in said
+
+
+def test_a_cloud_given_in_two_ways_counts_once(run, two_clouds, clouds, outputs, feedback):
+    again = Path(clouds[0]).parent / ".." / Path(clouds[0]).parent.name / Path(clouds[0]).name
+    run("registerscans", feedback, **two_clouds, REFINE=True, SCANS=[*clouds, str(again)], **outputs)
+
+    assert sum("plane cells" in line for line in feedback.infos) == 2
+
+
+@pytest.mark.parametrize("chosen", [{"MODEL": 4}, {"MODEL": 1, "MATCHING": 1}])
+def test_surfaces_need_scans_in_metres(refuse, two_clouds, clouds, outputs, chosen):
+    said = refuse(**two_clouds, REFINE=True, SCANS=clouds, **chosen, **outputs)
+
+    assert "needs scans in metres" in said
