@@ -45,6 +45,7 @@ CONTENTS = {
         "docs/inputs",
         "docs/robustness",
         "docs/constants",
+        "docs/sensitivity",
         "docs/glossary",
     ),
     "Development": ("docs/architecture", "CONTRIBUTING", "CHANGELOG"),
