@@ -1,9 +1,8 @@
 """Which points are far from a site: reflections, and what else no surveyor meant."""
 
 import numpy as np
-from scipy.spatial import cKDTree
 
-from ..geometry.linked_parts import label_linked
+from ..geometry.linked_parts import label_near
 from .settings import StraySettings
 
 
@@ -31,7 +30,8 @@ def stray_cells(
     """
     reach = int(np.ceil(settings.part_gap_m / 2 / edge_m))
     blocks, member = np.unique(cells // reach, axis=0, return_inverse=True)
-    part = _connected(blocks)[member.ravel()]
+    # Points within a gap of each other lie in blocks of half a gap that are at most two apart.
+    part = label_near(blocks, 2)[member.ravel()]
     points = np.bincount(part, weights=counts)
     share = points / points.sum()
     cover = points / np.bincount(part)
@@ -39,9 +39,3 @@ def stray_cells(
     stray = ((share < settings.sparse_share) & thin) | (share < settings.stray_share)
     stray[np.argmax(points)] = False
     return np.asarray(stray[part])
-
-
-def _connected(blocks: np.ndarray) -> np.ndarray:
-    """Label blocks of half a gap, shape (n, axes), so that points within a gap share a label."""
-    first, second = cKDTree(blocks).query_pairs(2.0, p=np.inf, output_type="ndarray").T
-    return label_linked(first, second, len(blocks))

@@ -5,6 +5,6 @@ in `robust`.
 
 Public names: `curves.Line`, `curves.Arc`, `curves.Curve`, `curves.line_through`, `triangulation.Mesh`,
 `triangulation.triangulate`, `outline_triangles.OutlineMesh`, `outline_triangles.triangulate_outlines`,
-`linked_parts.label_linked`, `motion.Motion`; and the functions of `azimuths`, `circles`, `polygons`,
-`robust` and `weighted_fit`.
+`linked_parts.label_linked`, `linked_parts.label_near`, `motion.Motion`; and the functions of `azimuths`,
+`circles`, `packed_cells`, `polygons`, `robust` and `weighted_fit`.
 """

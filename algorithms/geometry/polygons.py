@@ -83,3 +83,10 @@ def _joined(geometry: BaseGeometry, settings: BridgeSettings) -> list[Polygon]:
 def polygons_of(geometry: BaseGeometry) -> list[Polygon]:
     """Return the polygons of a geometry that have an area and are valid."""
     return [part for part in getattr(geometry, "geoms", [geometry]) if part.area > 0 and part.is_valid]
+
+
+def box_sides(polygon: Polygon) -> tuple[float, float]:
+    """Return width and length of the smallest box around a polygon, turned as it may be."""
+    corners = np.asarray(polygon.minimum_rotated_rectangle.exterior.coords)
+    width, length = sorted(np.hypot(*np.diff(corners[:3], axis=0).T))
+    return float(width), float(length)

@@ -1,5 +1,6 @@
 """Write points of a cloud with one more attribute."""
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional, Union
@@ -83,21 +84,22 @@ def write_labelled(
     target = Path(path)
     check_target(cloud, target)
     files = () if is_text(target) else of_one_point_format(cloud)
+    shared = {} if files else _shared_attributes(cloud, target, name, settings)
     doubts = (
         (*unlike_values(cloud, target), *unlike_times(files, target))
         if files
-        else losses(cloud, target, _written_attributes(cloud, target, name, settings))
+        else losses(cloud, target, shared)
     )
     for sentence in doubts:
         progress.update(0.0, sentence)
     labels = Labels(name, values, np.arange(len(values)) if labelled is None else labelled)
     with atomic_output(target) as temporary:
         if is_text(target):
-            _write_text(cloud, labels, temporary, progress, settings)
+            _write_text(cloud, shared, labels, temporary, progress, settings)
         elif files:
             _write_records(cloud, files, labels, temporary, progress, settings)
         else:
-            _write_las(cloud, labels, temporary, progress, settings)
+            _write_las(cloud, shared, labels, temporary, progress, settings)
 
 
 def _write_records(
@@ -135,13 +137,13 @@ def _write_records(
 
 def _write_las(
     cloud: Cloud,
+    shared: Mapping[str, np.dtype],
     labels: Labels,
     path: Path,
     progress: Progress,
     settings: WritingSettings,
 ) -> None:
     header = _new_header(cloud, settings)
-    shared = _free_attributes(cloud, header, labels.name)
     for attribute, kind in (*shared.items(), (labels.name, labels.values.dtype)):
         header.add_extra_dim(laspy.ExtraBytesParams(attribute, kind))
     done = 0
@@ -157,12 +159,12 @@ def _write_las(
 
 def _write_text(
     cloud: Cloud,
+    shared: Collection[str],
     labels: Labels,
     path: Path,
     progress: Progress,
     settings: WritingSettings,
 ) -> None:
-    shared = _shared_attributes(cloud)
     done = 0
     with path.open("w", encoding="utf-8", newline="") as stream:
         for chunk in cloud.chunks(progress, settings.chunk_points):
@@ -179,22 +181,16 @@ def _new_header(cloud: Cloud, settings: WritingSettings) -> laspy.LasHeader:
     return new_header(cloud.origin, common_scales(cloud, settings), has_rgb, cloud.crs)
 
 
-def _written_attributes(
+def _shared_attributes(
     cloud: Cloud, target: Path, name: str, settings: WritingSettings
 ) -> dict[str, np.dtype]:
-    if is_text(target):
-        return _shared_attributes(cloud)
-    return _free_attributes(cloud, _new_header(cloud, settings), name)
-
-
-def _free_attributes(cloud: Cloud, header: laspy.LasHeader, name: str) -> dict[str, np.dtype]:
-    """Return the attributes that all files have and whose names a new LAS file does not use itself."""
-    taken = {"x", "y", "z", name, *header.point_format.dimension_names}
-    shared = _shared_attributes(cloud)
-    return {attribute: kind for attribute, kind in shared.items() if attribute.lower() not in taken}
-
-
-def _shared_attributes(cloud: Cloud) -> dict[str, np.dtype]:
-    """Return names and types of the attributes that all files have."""
+    """Return names and types of the attributes that all files have and the target can hold beside `name`."""
     first, *others = (dict(source.attributes) for source in cloud.sources)
-    return {name: kind for name, kind in first.items() if all(name in other for other in others)}
+    shared = {
+        attribute: kind for attribute, kind in first.items() if all(attribute in other for other in others)
+    }
+    if is_text(target):
+        return shared
+    # A new LAS file has dimensions of its own.
+    taken = {"x", "y", "z", name, *_new_header(cloud, settings).point_format.dimension_names}
+    return {attribute: kind for attribute, kind in shared.items() if attribute.lower() not in taken}

@@ -10,9 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
-
-BITS = 21
-"""Of each number of a cell, packed into one integer: a million cells in each direction."""
+from ...geometry.packed_cells import HALF_RANGE, packed, summed, unpacked
 
 PAIRS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 """The products of coordinates that are summed."""
@@ -65,7 +63,7 @@ class Cells:
         """Return cells of twice the edge."""
         parents = self.numbers >> 1
         offset = (self.numbers - 2 * parents) * float(to_lattice(self.edge))
-        keys, moments = _summed(packed(parents), _about(self.moments, offset))
+        keys, moments = summed(packed(parents), _about(self.moments, offset))
         return Cells(2 * self.edge, keys, moments)
 
     def rows(self, wanted: np.ndarray) -> "Cells":
@@ -106,8 +104,8 @@ def cells_of(chunks: Iterable[np.ndarray], edge: float) -> Cells:
     """
     keys, moments = np.zeros(0, np.int64), np.zeros((0, 10))
     for xyz in chunks:
-        fresh = _summed(*_points(xyz, to_lattice(edge)))
-        keys, moments = _summed(np.r_[keys, fresh[0]], np.concatenate([moments, fresh[1]]))
+        fresh = summed(*_points(xyz, to_lattice(edge)))
+        keys, moments = summed(np.r_[keys, fresh[0]], np.concatenate([moments, fresh[1]]))
     return Cells(edge, keys, moments)
 
 
@@ -117,30 +115,7 @@ def _points(xyz: np.ndarray, edge: int) -> tuple[np.ndarray, np.ndarray]:
     numbers = np.floor(steps / edge)
     steps -= numbers * edge
     # Points a million cells away, as of reflections, are on no surface that two scans share.
-    near = (np.abs(numbers) < 2 ** (BITS - 1)).all(axis=1)
+    near = (np.abs(numbers) < HALF_RANGE).all(axis=1)
     steps = steps[near]
     products = [steps[:, one] * steps[:, other] for one, other in PAIRS]
-    return packed(numbers[near].astype(np.int64)), np.column_stack([np.ones(len(steps)), steps, *products])
-
-
-def _summed(keys: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return each key once, increasing, with the sum of its moments."""
-    if not len(keys):
-        return keys, moments
-    order = np.argsort(keys, kind="stable")
-    keys = keys[order]
-    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]])
-    return keys[first], np.add.reduceat(moments[order], first, axis=0)
-
-
-def packed(numbers: np.ndarray) -> np.ndarray:
-    """Return column, row and level, shape (n, 3), as one integer each."""
-    column, row, level = (numbers + 2 ** (BITS - 1)).T
-    return (column << (2 * BITS)) | (row << BITS) | level
-
-
-def unpacked(keys: np.ndarray) -> np.ndarray:
-    """Return column, row and level, shape (n, 3), of packed integers."""
-    mask = 2**BITS - 1
-    parts = [keys >> (2 * BITS), (keys >> BITS) & mask, keys & mask]
-    return np.column_stack(parts) - 2 ** (BITS - 1)
+    return packed(numbers[near]), np.column_stack([np.ones(len(steps)), steps, *products])

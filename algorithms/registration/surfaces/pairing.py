@@ -1,14 +1,14 @@
 """The patches that two scans see both, at given poses."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
 
+from ...geometry.packed_cells import packed
 from ...geometry.robust import sigma_of_residuals
 from ..adjustment.similarity import Pose
 from ..settings import Model
-from .cells import packed
 from .patches import Surfaces
 from .settings import PairSettings
 from .tie import Tie
@@ -165,11 +165,9 @@ def _trimmed(tie: Tie, one: Pose, other: Pose, settings: PairSettings, model: Mo
         before, kept = kept, np.abs(left) < settings.trim * np.sqrt(scatter**2 + tie.variances)
         if np.array_equal(before, kept) or kept.sum() < settings.fewest_patches:
             break
-    return Tie(
-        scans=tie.scans,
+    return replace(
+        tie,
         centres=(tie.centres[0][kept], tie.centres[1][kept]),
         normals=(tie.normals[0][kept], tie.normals[1][kept]),
         variances=tie.variances[kept] + scatter**2,
-        common_std=tie.common_std,
-        overlap=tie.overlap,
     )

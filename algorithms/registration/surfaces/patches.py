@@ -6,14 +6,14 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ...clouds.settings import ReadingSettings
 from ...clouds.source import Source
+from ...geometry.linked_parts import label_linked
+from ...geometry.packed_cells import packed, unpacked
 from ...progress import Progress
-from .cells import Cells, cells_of, packed, unpacked
+from .cells import Cells, cells_of
 from .settings import PatchSettings, StationSettings, SurfaceSettings
 from .visibility import hidden_share
 
@@ -218,7 +218,7 @@ def _of_planes(cells: Cells, normals: np.ndarray, settings: PatchSettings) -> np
     walls fixed a scan along them. Cells of curved surfaces keep their own.
     """
     centres = cells.centres()
-    _, part = connected_components(_linked(cells, centres, normals, settings), directed=False)
+    part = label_linked(*_linked(cells, centres, normals, settings), len(centres))
     count = part.max(initial=-1) + 1
     size = np.bincount(part, minlength=count)
     means = np.column_stack([np.bincount(part, centres[:, axis], count) for axis in range(3)]) / size[:, None]
@@ -234,11 +234,12 @@ def _of_planes(cells: Cells, normals: np.ndarray, settings: PatchSettings) -> np
     return np.where(agree[:, None], common, normals)
 
 
-def _linked(cells: Cells, centres: np.ndarray, normals: np.ndarray, settings: PatchSettings) -> coo_matrix:
-    """Return which neighbouring cells lie in one plane, as a graph."""
-    count = len(cells.keys)
+def _linked(
+    cells: Cells, centres: np.ndarray, normals: np.ndarray, settings: PatchSettings
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return which neighbouring cells lie in one plane, in pairs."""
     ones, others = [np.zeros(0, int)], [np.zeros(0, int)]
-    for step in NEIGHBOURS if count else ():
+    for step in NEIGHBOURS if len(centres) else ():
         rows, there = cells.neighbours(cells, step)
         ones.append(np.flatnonzero(there))
         others.append(rows[there])
@@ -250,5 +251,4 @@ def _linked(cells: Cells, centres: np.ndarray, normals: np.ndarray, settings: Pa
     )
     for normal in (normals[one], normals[other]):
         level &= np.abs(np.einsum("ij,ij->i", apart, normal)) < bend * cells.edge
-    one, other = one[level], other[level]
-    return coo_matrix((np.ones(len(one)), (one, other)), shape=(count, count))
+    return one[level], other[level]

@@ -13,7 +13,7 @@ from shapely.ops import unary_union
 
 from ...clouds.tiles.lattice import LATTICE
 from ...geometry.azimuths import line_azimuth
-from ...geometry.polygons import polygons_of
+from ...geometry.polygons import box_sides, polygons_of
 from ...progress import Progress
 from ..density.density_image import SortedPoints
 from ..rooms.rooms import Room
@@ -184,8 +184,7 @@ def _columns(walls: Sequence[Wall], storey: StoreyPlan, settings: JoiningSetting
 
 def _is_compact(outline: Polygon, settings: JoiningSettings) -> bool:
     """Return whether an outline is as small as a column, and no strip along a front of furniture."""
-    corners = np.asarray(outline.minimum_rotated_rectangle.exterior.coords)
-    width, length = sorted(np.hypot(*np.diff(corners[:3], axis=0).T))
+    width, length = box_sides(outline)
     return bool(width * length <= settings.column_m2 and length <= settings.column_slenderness * width)
 
 

@@ -168,7 +168,7 @@ def _screens(
 ) -> np.ndarray:
     """Return the thin walls that stand free in rooms."""
     faces, _ = division.faces(settings.cut)
-    return screens(sheets, division.rooms(), faces, along, settings.free_faces, settings.levels)
+    return screens(sheets, division.rooms, faces, along, settings.free_faces, settings.levels)
 
 
 def _walls(
@@ -183,7 +183,7 @@ def _walls(
 ) -> list[Wall]:
     """Return the walls behind the faces that bound rooms, and behind those that stand free."""
     faces, _ = division.faces(settings.cut)
-    rooms, solid = division.rooms(), division.solid()
+    rooms, solid = division.rooms, division.solid
     free = free_faces(sheets, rooms, faces, along, footprint, settings.free_faces, settings.levels)
     if len(free):
         solid = solid.difference(clear_before(free, settings.free_faces.front_m))
@@ -217,4 +217,4 @@ def _left_out(
     faces, _ = division.faces(settings.cut)
     outlines = [wall.outline for wall in walls]
     chosen = settings.free_faces, settings.cut, settings.levels
-    return find_left_out(sheets, division.rooms(), outlines, faces, along, *chosen)
+    return find_left_out(sheets, division.rooms, outlines, faces, along, *chosen)

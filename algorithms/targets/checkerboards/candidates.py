@@ -1,6 +1,5 @@
 """Where a range image may show the centre of a black and white target."""
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import chain
 
@@ -8,6 +7,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ...kernels import kernel
+from ...parallel import in_order
 from ..range_image.range_image import RangeImage
 from .settings import CandidateSettings
 
@@ -52,8 +52,7 @@ def checkerboard_candidates(image: RangeImage, settings: CandidateSettings) -> l
         response = _responses(*grids, geometry, image.period, radius, RINGS, np.array(limits))
         return _peaks(image, response, radius)
 
-    with ThreadPoolExecutor() as pool:
-        found = list(chain.from_iterable(pool.map(of_radius, settings.radii_m)))
+    found = list(chain.from_iterable(in_order(of_radius, settings.radii_m)))
     found.sort(key=lambda item: -item.response)
     return found
 

@@ -1,12 +1,12 @@
 """Where a range image may show a sphere."""
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import chain
 
 import numpy as np
 
 from ...kernels import kernel
+from ...parallel import in_order
 from ..range_image.range_image import RangeImage
 from .settings import CandidateSettings
 
@@ -61,8 +61,7 @@ def sphere_candidates(
             for row, column in zip(*np.nonzero(misfits))
         ]
 
-    with ThreadPoolExecutor() as pool:
-        found = list(chain.from_iterable(pool.map(of_diameter, diameters)))
+    found = list(chain.from_iterable(in_order(of_diameter, diameters)))
     found.sort(key=lambda item: item.misfit)
     return found
 

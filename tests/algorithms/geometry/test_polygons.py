@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.geometry.polygons import faces_of, polygons_between
+from ichnograph.algorithms.geometry.polygons import box_sides, faces_of, polygons_between
+from shapely.affinity import rotate
 from shapely.geometry import Point, box
 
 ORIGIN = (412_000.0, 5_812_000.0)
@@ -58,3 +59,7 @@ def test_parts_near_each_other_are_bridged():
     ring = [(0, 0), (4, 0), (4, 0.3), (0, 0.3)]
     (polygon,) = polygons_between((ring,), (0, 0), box(0, 0, 2, 1).union(box(2.1, 0, 4, 1)))
     assert polygon.area == pytest.approx(1.2, abs=0.03)
+
+
+def test_the_sides_of_a_box_do_not_depend_on_its_rotation():
+    assert box_sides(rotate(box(0, 0, 4, 1), 33)) == pytest.approx((1, 4))

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from shapely.geometry.base import BaseGeometry
@@ -58,12 +59,14 @@ class Division:
         """Return the area of cells, given as numbers."""
         return united([self.arrangement.cells[cell] for cell in cells])
 
+    @cached_property
     def rooms(self) -> BaseGeometry:
-        """Return all rooms together."""
+        """All rooms together."""
         return self.area(np.flatnonzero(self.is_room[:-1]))
 
+    @cached_property
     def solid(self) -> BaseGeometry:
-        """Return all that is not room."""
+        """All that is not room."""
         return self.area(np.flatnonzero(~self.is_room[:-1]))
 
     def are_borders(self) -> np.ndarray:

@@ -6,15 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ....geometry.linked_parts import label_linked
+from ....geometry.linked_parts import label_near
+from ....geometry.packed_cells import BITS, HALF_RANGE, packed, summed, unpacked
 from ....kernels import kernel
 from ....parallel import in_order, in_parts
 from ..settings import VoxelSettings
-
-HALF_RANGE = 1 << 20
-"""Voxels on each side of the local origin that a key can hold: 20 km at 2 cm."""
-
-BITS = 21
 
 PART = 1 << 14
 """Voxels whose normals one thread finds at a time."""
@@ -103,7 +99,7 @@ def _means(chunks: Iterable[np.ndarray], edge: float) -> np.ndarray:
             count = 0
     keys, sums = _added(keys, sums, added)
     left = ((sums[:, :3] + sums[:, 3:6] / SHARE) / SHARE).astype(np.float32).astype(float)
-    return _unpacked(keys) * edge + left / np.maximum(sums[:, 6:], 1)
+    return unpacked(keys) * edge + left / np.maximum(sums[:, 6:], 1)
 
 
 @kernel
@@ -149,10 +145,7 @@ def _added(
     """Add keys and their sums to those that there are; the keys ascend."""
     keys = np.concatenate([keys, *(more for more, _ in added)])
     sums = np.concatenate([sums, *(more for _, more in added)])
-    order = np.argsort(keys, kind="stable")
-    keys = keys[order]
-    first = np.flatnonzero(np.r_[True, keys[1:] != keys[:-1]][: len(keys)])
-    return keys[first], np.add.reduceat(sums[order], first, axis=0) if len(first) else sums
+    return summed(keys, sums)
 
 
 def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
@@ -160,31 +153,10 @@ def _without_strays(xyz: np.ndarray, settings: VoxelSettings) -> np.ndarray:
     if not len(xyz):
         return xyz
     column, row = np.floor(xyz[:, :2] / settings.apart_m).astype(np.int64).T
-    packed, member = np.unique((column << 32) + row, return_inverse=True)
-    row = packed.astype(np.int32).astype(np.int64)
-    number = {block: i for i, block in enumerate(zip(((packed - row) >> 32).tolist(), row.tolist()))}
-    around = [(dx, dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
-    pairs = [
-        (i, number[x + dx, y + dy])
-        for (x, y), i in number.items()
-        for dx, dy in around
-        if (x + dx, y + dy) in number
-    ]
-    first, second = np.array(pairs).T
-    part = label_linked(first, second, len(packed))[member]
+    blocks, member = np.unique((column << 32) + row, return_inverse=True)
+    row = blocks.astype(np.int32).astype(np.int64)
+    part = label_near(np.column_stack([(blocks - row) >> 32, row]), 1)[member]
     return xyz[np.bincount(part)[part] >= settings.stray_share * len(xyz)]
-
-
-def _packed(index: np.ndarray) -> np.ndarray:
-    """Return one number for three whole ones, shape (n, 3); neighbours in z have neighbouring numbers."""
-    x, y, z = (index.astype(np.int64) + HALF_RANGE).T
-    return (x << 2 * BITS) | (y << BITS) | z
-
-
-def _unpacked(keys: np.ndarray) -> np.ndarray:
-    """Return the three whole numbers, shape (n, 3)."""
-    mask = (1 << BITS) - 1
-    return np.column_stack([keys >> 2 * BITS, (keys >> BITS) & mask, keys & mask]) - HALF_RANGE
 
 
 def _spacing(xyz: np.ndarray, settings: VoxelSettings) -> float:
@@ -209,7 +181,7 @@ def _noise(normal: np.ndarray, thickness: np.ndarray, most: float) -> float:
 
 def _normals(xyz: np.ndarray, radius: float, fewest: int) -> tuple[np.ndarray, np.ndarray]:
     """Return normals (n, 3) and thicknesses (n,), infinite where too few points lie within the radius."""
-    buckets = _packed(np.floor(xyz / radius))
+    buckets = packed(np.floor(xyz / radius))
     order = np.argsort(buckets, kind="stable")
     normal = np.zeros((len(xyz), 3), np.float32)
     thickness = np.full(len(xyz), np.inf, np.float32)

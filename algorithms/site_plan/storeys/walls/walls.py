@@ -8,6 +8,7 @@ from typing import Optional
 import numpy as np
 from shapely.geometry import LinearRing, Polygon
 
+from ....geometry.polygons import box_sides
 from ..evidence.levels import Storey, count_levels
 from ..evidence.uprights_along import UprightsAlong
 from ..settings import CutSettings, LevelSettings, WallSettings
@@ -79,8 +80,7 @@ def _is_column(body: Wall, settings: WallSettings) -> bool:
     outline = body.outline
     if outline.area > settings.column_m2 or body.coverage <= settings.column_coverage:
         return False
-    corners = np.asarray(outline.minimum_rotated_rectangle.exterior.coords)
-    width, length = sorted(np.hypot(*np.diff(corners[:3], axis=0).T))
+    width, length = box_sides(outline)
     is_compact = length <= settings.column_slenderness * width
     is_full = outline.area >= settings.column_fill * width * length
     return is_compact and is_full and not outline.buffer(-0.55 * settings.strip_m).is_empty

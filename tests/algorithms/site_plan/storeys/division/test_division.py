@@ -10,7 +10,7 @@ CUT = CutSettings()
 
 
 def room_of(faces, *spaces):
-    return divided(faces, footprint_of(*spaces)).rooms()
+    return divided(faces, footprint_of(*spaces)).rooms
 
 
 def lines_of(ends):
@@ -19,8 +19,8 @@ def lines_of(ends):
 
 def test_what_was_seen_between_faces_is_room_and_all_else_solid():
     division = divided(sides(0, 0, 4, 3), footprint_of((0, 0, 4, 3)))
-    assert division.rooms().symmetric_difference(box(0, 0, 4, 3)).area < 1e-6
-    assert division.solid().area == pytest.approx(144 - 12)
+    assert division.rooms.symmetric_difference(box(0, 0, 4, 3)).area < 1e-6
+    assert division.solid.area == pytest.approx(144 - 12)
 
 
 def test_the_room_ends_at_the_face_and_not_where_the_floor_was_seen_to():
@@ -81,5 +81,5 @@ def test_a_face_stands_on_both_sides_of_the_cut(low, high, expected):
 
 def test_where_nothing_was_seen_all_is_solid():
     division = divided(sides(0, 0, 4, 3), footprint_of())
-    assert division.rooms().is_empty
+    assert division.rooms.is_empty
     assert division.faces(CUT)[0].shape == (0, 4)
