@@ -36,29 +36,40 @@ from ichnograph.algorithms.evaluation.drawn_plan import (
     read_drawn_plan,
 )
 from ichnograph.algorithms.evaluation.plan import compare_plan
+from ichnograph.algorithms.facade.development.development import FLAT
+from ichnograph.algorithms.facade.elevation import Elevation
+from ichnograph.algorithms.facade.every_facade import measure_selection
 from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.algorithms.registration.settings import Model
 from ichnograph.algorithms.registration.settings import Settings as RegistrationSettings
 from ichnograph.algorithms.settings import Constant, constants, with_constant
+from ichnograph.algorithms.site_plan.results import SitePlan
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.tests.scenes import SCENES
 from ichnograph.tests.scenes.__main__ import write_laz
 from ichnograph.tests.scenes.facades import FACADES
 from ichnograph.tests.scenes.facades.judging import judge
+from ichnograph.tests.scenes.facades.streets import STREETS
+from ichnograph.tests.scenes.facades.streets.judging import judge_street
 from ichnograph.tests.scenes.judging import room_errors
+from ichnograph.tests.scenes.lived_in import LIVED_IN
 from ichnograph.tests.scenes.targets import target_scene
 from shapely.ops import unary_union
 
 from .facade import points_of
 from .registration import NOISE, registered, verdict
+from .streets import TURNING
 
 TOLERANCE = 0.05
 ROOM_ERROR = 0.02
 SIZE_ERROR = 0.01
 TRIALS = 15
 PLACE = (12.0, (412_345.67, 5_812_345.71, 71.3))
+STREET_NOISE = 0.0035
+SITES = {**SCENES, **LIVED_IN}
 
 
 @dataclass(frozen=True)
@@ -75,7 +86,7 @@ Scene = Callable[[Any], Outcome]
 
 def plan_scene(name: str, folder: Path, angular_step: float) -> Scene:
     """Return a scene for site plans; its scan is written to a folder."""
-    scene = SCENES[name](0).moved(*PLACE)
+    scene = SITES[name](0).moved(*PLACE)
     scan = scene.scan(angular_step, seed=0)
     path = folder / f"{name}.laz"
     write_laz(path, scan, np.ones(len(scan.points), bool), "EPSG:25833")
@@ -90,9 +101,13 @@ def _plan(path: Path, truth: Any, seen: Any, settings: SitePlanSettings) -> Outc
     errors = room_errors(walls, truth, seen)
     if errors:
         scores.append(float(np.mean(np.array(errors) < ROOM_ERROR)))
-    drawn = [walls.wkb, *(axis.line.wkb for axis in plan.axes or ())]
-    drawn += [room.outline.wkb for room in plan.rooms or ()]
-    return Outcome(float(np.mean(scores)), b"".join(drawn))
+    return Outcome(float(np.mean(scores)), _drawn(plan))
+
+
+def _drawn(plan: SitePlan) -> bytes:
+    """Return all that the layers of a plan show, as bytes."""
+    of_storey = (plan.storey.limits, plan.storey.left_out) if plan.storey else ()
+    return pickle.dumps((plan.walls, plan.axes, plan.rooms, *of_storey, plan.warnings))
 
 
 def real_scene(path: Path, reference: Path) -> Scene:
@@ -108,7 +123,7 @@ def _real_plan(path: Path, drawn: DrawnPlan, settings: SitePlanSettings) -> Outc
     if drawn.rooms:
         rooms = compare_rooms([room.outline for room in plan.rooms or ()], drawn)
         scores.append(max(rooms.found - rooms.invented, 0) / len(drawn.rooms))
-    return Outcome(float(np.mean(scores)), b"".join(outline.wkb for outline in outlines))
+    return Outcome(float(np.mean(scores)), _drawn(plan))
 
 
 def facade_scene(name: str, spacing: float) -> Scene:
@@ -119,13 +134,28 @@ def facade_scene(name: str, spacing: float) -> Scene:
 
 def _elevation(scene: Any, points: Any, settings: FacadeSettings) -> Outcome:
     elevation = measure_facade(points, settings)
-    found = judge(elevation, scene)
-    right = [np.abs(pair.size).max() <= SIZE_ERROR for pair in found.pairs]
+    return _measured(elevation, judge(elevation, scene))
+
+
+def street_scene(name: str, spacing: float) -> Scene:
+    """Return a street, of which the facade is looked for; a tower is rolled out."""
+    scene = STREETS[name](0).moved(*PLACE)
+    points = points_of(scene.scan(spacing, STREET_NOISE, seed=0))
+    return partial(_street, scene, points, TURNING.get(name, FLAT))
+
+
+def _street(scene: Any, points: Any, unroll: int, settings: FacadeSettings) -> Outcome:
+    settings = replace(settings, unroll=unroll)
+    elevation = measure_selection(select_facade(points, settings), settings).elevation
+    return _measured(elevation, judge_street(elevation, scene))
+
+
+def _measured(elevation: Elevation, found: Any) -> Outcome:
+    right = [np.nanmax(np.abs(pair.size)) <= SIZE_ERROR for pair in found.pairs]
     details = len(found.pairs) + len(found.missed)
     scores = [max(len(found.pairs) - len(found.invented), 0) / details, sum(right) / details]
-    drawn = [detail.outline.wkb for detail in elevation.details]
-    stds = [np.array(detail.edges.left).tobytes() for detail in elevation.details if detail.edges]
-    return Outcome(float(np.mean(scores)), b"".join(drawn + stds))
+    shown = elevation.wall, elevation.details, elevation.unseen, elevation.left_out, elevation.side
+    return Outcome(float(np.mean(scores)), pickle.dumps((*shown, elevation.parts, elevation.warnings)))
 
 
 @dataclass(frozen=True)
@@ -195,11 +225,12 @@ def chapters(arguments: argparse.Namespace, folder: Path) -> Iterator[tuple[str,
 
     if "site_plan" in arguments.chapters:
         settings = SitePlanSettings(with_axes=True, with_rooms=True)
-        scenes = {name: plan_scene(name, folder, arguments.angular_step) for name in chosen(SCENES)}
+        scenes = {name: plan_scene(name, folder, arguments.angular_step) for name in chosen(SITES)}
         yield "site_plan", Chapter(settings, {**scenes, **_real_scenes(arguments)})
     if "facade" in arguments.chapters:
         facades = {name: facade_scene(name, arguments.spacing) for name in chosen(FACADES)}
-        yield "facade", Chapter(FacadeSettings(), facades)
+        streets = {name: street_scene(name, arguments.spacing) for name in chosen(STREETS)}
+        yield "facade", Chapter(FacadeSettings(), {**facades, **streets})
     if "registration" in arguments.chapters:
         layouts = {name: target_scenes(LAYOUTS[name]) for name in chosen(LAYOUTS)}
         yield "registration", Chapter(RegistrationSettings(sigma=NOISE), layouts)
@@ -255,18 +286,23 @@ def _words(changes: Optional[list[float]]) -> str:
     return f"{100 * float(np.mean(changes)):+.2f} ({100 * largest:+.1f})"
 
 
-def main() -> None:
-    """Print a row for each constant."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments that choose chapters, constants and scenes."""
     parser.add_argument("chapters", nargs="*", default=["site_plan", "facade", "registration"])
     parser.add_argument("--change", type=float, default=0.3, help="share by which constants are varied")
-    parser.add_argument("--processes", type=int, default=os.cpu_count())
     parser.add_argument("--match", default="", help="only constants whose path holds this regular expression")
     parser.add_argument("--scenes", nargs="+", help="names of simulated scenes; all if not given")
     parser.add_argument("--angular-step", type=float, default=0.5, help="of the scanner, degrees")
     parser.add_argument("--spacing", type=float, default=0.02, help="of the points of facades, metres")
     parser.add_argument("--clouds", type=Path, help="folder of real clouds")
     parser.add_argument("--references", type=Path, help="folder of drawn plans, <cloud>.geojson")
+
+
+def main() -> None:
+    """Print a row for each constant."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    add_arguments(parser)
+    parser.add_argument("--processes", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
     # A forked process would wait for ever for the threads that decode LAZ.
     pool = ProcessPoolExecutor(arguments.processes, get_context("spawn"))
