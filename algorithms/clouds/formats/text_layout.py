@@ -20,6 +20,7 @@ from ...tables.dialect import (
 )
 from ...tables.encoding import encoding_of
 from ...tables.header import read_preamble
+from ...tables.remarks import unapplied_remarks
 from ...tables.units import factor_of
 from ..settings import TextSettings
 from .line_samples import sample_lines
@@ -98,6 +99,8 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=(
             *warnings,
+            *_assumed_intensity(path, columns, bool(header.columns)),
+            *unapplied_remarks(path, lines[: numbers[0]]),
             *_unnamed_normals(path, values, columns),
             *_converted(path, header.units),
             *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
@@ -139,6 +142,16 @@ def _taken(path: Path, marked: list[int]) -> tuple[str, ...]:
     return (
         f"{len(marked)} of the first rows of {path}, the first in line {marked[0] + 1}, begin as remarks do "
         "and were read as points, because their first field is a name.",
+    )
+
+
+def _assumed_intensity(path: Path, columns: Columns, named: bool) -> tuple[str, ...]:
+    """Return a sentence on intensity that is recognised by its position; that of a PTS has its own."""
+    if named or columns.intensity is None or path.suffix.lower() == ".pts":
+        return ()
+    return (
+        f"Column {columns.intensity + 1} of {path} has no name and was read as intensity; if it is something "
+        "else, name the columns in a first line.",
     )
 
 

@@ -21,6 +21,7 @@ from ...tables.dialect import (
 )
 from ...tables.encoding import read_lines
 from ...tables.header import COORDINATES, Header, metres_of, read_preamble
+from ...tables.remarks import unapplied_remarks
 from ...tables.units import factor_of
 from .covariances import CORRELATIONS, STDS, covariances_of, warnings_on
 from .point_rows import Rows
@@ -102,6 +103,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         covariances=covariances,
         warnings=(
             *_converted(path, header),
+            *unapplied_remarks(path, lines[:first]),
             *doubts,
             *_warnings(path, rows.values(), columns),
             *_marked(path, lines, delimiter, width),
