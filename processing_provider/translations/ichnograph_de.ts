@@ -2239,6 +2239,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>All heights in %1 are 0; if they are not known, add them.</source>
+        <translation>Alle Höhen in %1 sind 0; sind sie unbekannt, sie ergänzen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are points.</source>
         <translation>%1 Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden ausgelassen; sind es Punkte, das Zeichen davor entfernen.</translation>
     </message>
@@ -5023,6 +5028,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
+        <source>ROOMS are not compared, because REFERENCE has no rooms drawn by hand.</source>
+        <translation>ROOMS werden nicht verglichen, weil REFERENCE keine von Hand gezeichneten Räume hat.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>Rooms: %1 found, %2 missed, %3 invented.</source>
         <translation>Räume: %1 gefunden, %2 nicht gefunden, %3 erfunden.</translation>
     </message>
@@ -6570,6 +6580,11 @@
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
         <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
         <translation>%1 enthält ein Objekt, das nicht gelesen werden kann (%2); es berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape whose coordinates are not numbers; correct or remove it.</source>
+        <translation>%1 hat eine Form, deren Koordinaten keine Zahlen sind; sie berichtigen oder entfernen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>

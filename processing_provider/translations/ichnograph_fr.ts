@@ -2239,6 +2239,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>All heights in %1 are 0; if they are not known, add them.</source>
+        <translation>Toutes les hauteurs de %1 sont 0 ; si elles ne sont pas connues, ajoutez-les.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>%1 rows of %2, the first in line %3, begin as remarks do and were left out; remove the sign before them if they are points.</source>
         <translation>%1 lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été écartées ; retirez le signe qui les précède si ce sont des points.</translation>
     </message>
@@ -5023,6 +5028,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
+        <source>ROOMS are not compared, because REFERENCE has no rooms drawn by hand.</source>
+        <translation>ROOMS n&#x27;est pas comparé, parce que REFERENCE n&#x27;a pas de pièces dessinées à la main.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>Rooms: %1 found, %2 missed, %3 invented.</source>
         <translation>Pièces : %1 trouvées, %2 manquées, %3 inventées.</translation>
     </message>
@@ -6570,6 +6580,11 @@
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
         <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
         <translation>%1 contient une forme qui ne peut pas être lue (%2) ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape whose coordinates are not numbers; correct or remove it.</source>
+        <translation>%1 a une forme dont les coordonnées ne sont pas des nombres ; corrigez-la ou supprimez-la.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>

@@ -106,6 +106,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
             *unapplied_remarks(path, lines[:first]),
             *doubts,
             *_warnings(path, rows.values(), columns),
+            *_without_heights(path, xyz[:, 2]),
             *_marked(path, lines, delimiter, width),
             *degree_warning(path, coordinates, dialect),
         ),
@@ -294,6 +295,13 @@ def _warnings(path: Path, rows: Iterable[list[str]], columns: ListColumns) -> tu
     if columns.stds:
         read += ", and their standard deviations,"
     return (f"Only {read} of {path} were read; its further columns were left out.",) if left_out else ()
+
+
+def _without_heights(path: Path, heights: np.ndarray) -> tuple[str, ...]:
+    """Return a sentence if all heights are 0, as programs write those that are not known."""
+    if len(heights) < 2 or np.any(heights != 0):
+        return ()
+    return (f"All heights in {path} are 0; if they are not known, add them.",)
 
 
 def _marked(path: Path, lines: list[str], delimiter: str, width: int) -> tuple[str, ...]:
