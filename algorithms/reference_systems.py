@@ -26,6 +26,10 @@ TRANSVERSE_MERCATOR = ("9807", "9808")
 UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
+FARTHEST_EAST_M, NEAREST_NORTH_M = 3_000_000.0, 1_000_000.0
+"""No usual system has larger eastings where its northings are smaller: those of UTM are below 1000 km, and
+where they begin with the number of a zone, northings are larger."""
+
 
 def parse_wkt(wkt: str) -> CRS:
     """Return the horizontal part of a coordinate reference system in WKT 1 or 2.
@@ -134,7 +138,7 @@ def has_only_heights(crs: CRS) -> bool:
 
 
 def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tuple[str, ...]:
-    """Return a sentence if coordinates do not fit their system, or only with swapped axes.
+    """Return a sentence if coordinates do not fit their system, or any, or only with swapped axes.
 
     Parameters
     ----------
@@ -144,9 +148,9 @@ def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tu
     owner : str
         What holds them, for the message.
     """
-    if crs is None:
-        return ()
     x, y = position[:2].tolist()
+    if crs is None:
+        return _seem_swapped(x, y, owner)
     if is_elsewhere(crs, x, y):
         return (
             f"The points of {owner} lie outside the area of {name_of(crs)}; choose the system that "
@@ -157,6 +161,16 @@ def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tu
     return (
         f"x and y of {owner} seem to be swapped, because they lie in the area of {name_of(crs)} "
         "only the other way round; the plan would be mirrored, so write easting before northing.",
+    )
+
+
+def _seem_swapped(x: float, y: float, owner: str) -> tuple[str, ...]:
+    """Return a sentence if coordinates without a system are like northing and easting of UTM."""
+    if x < FARTHEST_EAST_M or not 0 <= y < NEAREST_NORTH_M:
+        return ()
+    return (
+        f"x and y of {owner} seem to be swapped, because x is a northing of {x / 1000:.0f} km and y an "
+        f"easting of {y / 1000:.0f} km; the plan would be mirrored, so write easting before northing.",
     )
 
 

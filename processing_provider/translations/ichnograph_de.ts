@@ -598,6 +598,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 is a model of surfaces, not a point cloud; export its points as x y z.</source>
+        <translation>%1 ist ein Modell aus Flächen, keine Punktwolke; seine Punkte als x y z exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
         <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
     </message>
@@ -1936,6 +1941,11 @@
         <location filename="../../algorithms/reference_systems.py"/>
         <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
         <translation>x und y von %1 scheinen vertauscht zu sein, denn nur vertauscht liegen sie im Gebiet von %2; der Plan wäre gespiegelt. Den Rechtswert vor den Hochwert schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x und y von %1 scheinen vertauscht zu sein, weil x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>

@@ -598,6 +598,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 is a model of surfaces, not a point cloud; export its points as x y z.</source>
+        <translation>%1 est un modèle de surfaces, pas un nuage de points ; exportez ses points comme x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
         <translation>%1 des premières lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été lues comme points, car leur premier champ est un nom.</translation>
     </message>
@@ -1936,6 +1941,11 @@
         <location filename="../../algorithms/reference_systems.py"/>
         <source>x and y of %1 seem to be swapped, because they lie in the area of %2 only the other way round; the plan would be mirrored, so write easting before northing.</source>
         <translation>x et y de %1 semblent intervertis, car ils ne tombent dans l&#x27;emprise de %2 qu&#x27;une fois échangés ; le plan serait inversé en miroir. Écrivez la coordonnée est avant la coordonnée nord.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x et y de %1 semblent permutés, parce que x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>

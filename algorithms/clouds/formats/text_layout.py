@@ -76,6 +76,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
+    _refuse_models(path, lines[0], {row[0] for row in rows})
     ends_empty = not any(row[-1] for row in rows)
     header = read_preamble(path, lines[: numbers[0]], delimiter, width, ends_with_delimiter=ends_empty)
     signs = decimal_signs(path, rows, delimiter, bool(header.columns))
@@ -112,6 +113,19 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
             if column not in columns.used and np.any(values[:, column] != 0)
         ),
     )
+
+
+def _refuse_models(path: Path, first: str, marks: set[str]) -> None:
+    """Refuse models of surfaces, whose normals and triangles would be taken for points.
+
+    Raises
+    ------
+    InputError
+    """
+    is_off = first.strip().endswith("OFF") and len(first.split()) == 1
+    is_obj = "v" in marks and not marks.isdisjoint(("vn", "vt", "f"))
+    if is_off or is_obj:
+        raise InputError(f"{path} is a model of surfaces, not a point cloud; export its points as x y z.")
 
 
 def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettings) -> np.ndarray:
