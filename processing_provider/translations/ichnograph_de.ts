@@ -1944,6 +1944,16 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>The axes of %1, the system of %2, point %3 and %4, but plans show them to the right and up; reproject the points to a system of easting and northing.</source>
+        <translation>Die Achsen von %1, dem System von %2, zeigen nach %3 und %4 (englisch), Pläne zeigen sie aber nach rechts und oben; die Punkte in ein System mit Rechts- und Hochwert umprojizieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>Lengths in %1, the system of %2, are %3 times those on the ground; reproject the points to a system such as UTM.</source>
+        <translation>Längen in %1, dem System von %2, sind %3-mal so lang wie in der Natur; die Punkte in ein System wie UTM umprojizieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
         <translation>x und y von %1 scheinen vertauscht zu sein, weil x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
     </message>

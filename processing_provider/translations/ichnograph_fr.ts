@@ -1944,6 +1944,16 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>The axes of %1, the system of %2, point %3 and %4, but plans show them to the right and up; reproject the points to a system of easting and northing.</source>
+        <translation>Les axes de %1, le système de %2, pointent vers %3 et %4 (en anglais), mais les plans les montrent vers la droite et le haut ; reprojetez les points dans un système d&#x27;abscisses est et d&#x27;ordonnées nord.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>Lengths in %1, the system of %2, are %3 times those on the ground; reproject the points to a system such as UTM.</source>
+        <translation>Les longueurs dans %1, le système de %2, sont %3 fois celles sur le terrain ; reprojetez les points dans un système tel que UTM.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
         <translation>x et y de %1 semblent permutés, parce que x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
     </message>
