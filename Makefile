@@ -15,7 +15,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 	PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages:$(CURDIR)/.peers $(PYTHON)
 
 .PHONY: help setup demo test suite lint accuracy plan rooms lived-in ablation benchmark figure2 real package test-matrix
-.PHONY: desktop models example kills cancel leaks facade streets facade-peers constants house sensitivity house-picture
+.PHONY: desktop models example kills refusals cancel leaks facade streets facade-peers constants house sensitivity house-picture
 .PHONY: registration registration-chain registration-surfaces peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
@@ -180,6 +180,9 @@ cancel: setup  ## Print how long a cancel takes, and the longest time without pr
 
 leaks: setup  ## Print how memory and open files grow over 200 runs of every algorithm (E57=)
 	$(RUN) -m ichnograph.benchmarks.leaks $(if $(E57),--e57 $(E57))
+
+refusals: setup  ## Print which kinds of bad input were tried with each algorithm, and how many are refused
+	$(RUN) -m ichnograph.benchmarks.refusals
 
 kills: setup  ## Print what runs leave that are killed while they write
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.kills

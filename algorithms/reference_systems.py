@@ -26,6 +26,14 @@ TRANSVERSE_MERCATOR = ("9807", "9808")
 UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
+FARTHEST_EAST_M, NEAREST_NORTH_M = 3_000_000.0, 1_000_000.0
+"""No usual system has larger eastings where its northings are smaller: those of UTM are below 1000 km, and
+where they begin with the number of a zone, northings are larger."""
+
+MOST_STRETCHED = 0.01
+"""By this part lengths may differ from those on the ground: 10 cm over 10 m, a pixel of a plan. Systems for
+surveys differ by less within their states."""
+
 
 def parse_wkt(wkt: str) -> CRS:
     """Return the horizontal part of a coordinate reference system in WKT 1 or 2.
@@ -134,7 +142,7 @@ def has_only_heights(crs: CRS) -> bool:
 
 
 def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tuple[str, ...]:
-    """Return a sentence if coordinates do not fit their system, or only with swapped axes.
+    """Return a sentence if coordinates do not fit their system, or any, or only with swapped axes.
 
     Parameters
     ----------
@@ -144,19 +152,60 @@ def position_warning(crs: Optional[CRS], position: np.ndarray, owner: str) -> tu
     owner : str
         What holds them, for the message.
     """
-    if crs is None:
-        return ()
     x, y = position[:2].tolist()
+    if crs is None:
+        return _seem_swapped(x, y, owner)
     if is_elsewhere(crs, x, y):
         return (
             f"The points of {owner} lie outside the area of {name_of(crs)}; choose the system that "
             "their coordinates have, or none if they are local.",
         )
-    if not are_swapped(crs, x, y):
+    if are_swapped(crs, x, y):
+        return (
+            f"x and y of {owner} seem to be swapped, because they lie in the area of {name_of(crs)} "
+            "only the other way round; the plan would be mirrored, so write easting before northing.",
+        )
+    return (*_other_axes(crs, owner), *_stretched(crs, x, y, owner))
+
+
+def _other_axes(crs: CRS, owner: str) -> tuple[str, ...]:
+    """Return a sentence if the axes of a projected system do not point east and north, in either order."""
+    definition = _definition(crs)
+    directions = [axis.direction.lower() for axis in definition.axis_info[:2]]
+    if not definition.is_projected or ("west" not in directions and "south" not in directions):
         return ()
     return (
-        f"x and y of {owner} seem to be swapped, because they lie in the area of {name_of(crs)} "
-        "only the other way round; the plan would be mirrored, so write easting before northing.",
+        f"The axes of {name_of(crs)}, the system of {owner}, point {directions[0]} and {directions[1]}, but "
+        "plans show them to the right and up; reproject the points to a system of easting and northing.",
+    )
+
+
+def _stretched(crs: CRS, x: float, y: float, owner: str) -> tuple[str, ...]:
+    """Return a sentence if lengths in a system are not those on the ground, as of Web Mercator."""
+    definition = _definition(crs)
+    if not definition.is_projected:
+        return ()
+    try:
+        projection = pyproj.Proj(definition)
+        factors = projection.get_factors(*projection(x, y, inverse=True))
+    except ProjError:
+        return ()
+    scale = max(factors.meridional_scale, factors.parallel_scale, key=lambda factor: abs(factor - 1))
+    if not abs(scale - 1) > MOST_STRETCHED:
+        return ()
+    return (
+        f"Lengths in {name_of(crs)}, the system of {owner}, are {scale:.3g} times those on the ground; "
+        "reproject the points to a system such as UTM.",
+    )
+
+
+def _seem_swapped(x: float, y: float, owner: str) -> tuple[str, ...]:
+    """Return a sentence if coordinates without a system are like northing and easting of UTM."""
+    if x < FARTHEST_EAST_M or not 0 <= y < NEAREST_NORTH_M:
+        return ()
+    return (
+        f"x and y of {owner} seem to be swapped, because x is a northing of {x / 1000:.0f} km and y an "
+        f"easting of {y / 1000:.0f} km; the plan would be mirrored, so write easting before northing.",
     )
 
 

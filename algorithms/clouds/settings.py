@@ -47,6 +47,7 @@ class PrecisionSettings:
     fewest_points: int = statistical(
         10, "The chance that as many points of full precision lie near steps is below one in a million."
     )
+    fewest_rounded: int = judged(100, "Fewer points are an example rather than a scan.")
     fewest_whole: int = statistical(
         3, "Nine coordinates; all are whole by chance once in 10^27, at millimetres."
     )

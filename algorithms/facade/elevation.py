@@ -77,6 +77,8 @@ class Points:
         Position of the scanner of each scan, relative to `origin`; nan where it is not known.
     kept : ndarray of int64, shape (n,), or None
         Positions of the points in the sequence of all points of the cloud; None if there are no others.
+    warnings : tuple of str
+        On points and attributes that are left out.
     """
 
     xyz: np.ndarray
@@ -86,6 +88,7 @@ class Points:
     scan: np.ndarray
     stations: Optional[np.ndarray] = None
     kept: Optional[np.ndarray] = None
+    warnings: tuple[str, ...] = ()
 
     def subset(self, rows: np.ndarray) -> "Points":
         """Return some of the points, by their rows."""

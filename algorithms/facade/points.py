@@ -1,6 +1,7 @@
 """The points of a facade, read from its scans."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Optional
 
 import numpy as np
@@ -45,8 +46,8 @@ def read_points(
     InputError
         If a file is damaged, or the points lie too far apart.
     """
-    has_rgb = _all_have(cloud, "has_rgb", "colour", progress)
-    has_intensity = _all_have(cloud, "has_intensity", "intensity", progress)
+    has_rgb, without_rgb = _all_have(cloud, "has_rgb", "colour")
+    has_intensity, without_intensity = _all_have(cloud, "has_intensity", "intensity")
     xyz: list[np.ndarray] = []
     rgb: list[np.ndarray] = []
     intensity: list[np.ndarray] = []
@@ -72,14 +73,16 @@ def read_points(
         scan.reshape(-1).astype(np.int32),
         _positions(keys, stations),
     )
-    site = _site(cloud, points.xyz, limits, progress)
+    site = _site(cloud, points.xyz, limits)
+    strays = stray_warning(cloud, int((~site).sum()), len(site))
+    points = replace(points, warnings=(*without_rgb, *without_intensity, *strays))
     if thinning is not None and site.sum() > thinning.most_points:
         return _thinned(cloud, points, site, thinning, progress)
     return points if site.all() else points.subset(np.flatnonzero(site))
 
 
-def _site(cloud: Cloud, xyz: np.ndarray, limits: ExtentSettings, progress: Progress) -> np.ndarray:
-    """Return which points are no strays, and say how many are.
+def _site(cloud: Cloud, xyz: np.ndarray, limits: ExtentSettings) -> np.ndarray:
+    """Return which points are no strays.
 
     Raises
     ------
@@ -94,8 +97,6 @@ def _site(cloud: Cloud, xyz: np.ndarray, limits: ExtentSettings, progress: Progr
         stray = stray_cells(cells, counts, limits.cell_m, limits.strays)
         if stray.any():
             site = ~stray[np.searchsorted(found, numbers)]
-    for sentence in stray_warning(cloud, int((~site).sum()), len(site)):
-        progress.update(1.0, sentence)
     extent = float(np.ptp(xyz[site], axis=0).max())
     if extent > limits.largest_m:
         raise InputError(
@@ -145,10 +146,9 @@ def _chunks(cloud: Cloud, progress: Progress) -> Iterator[tuple[int, Chunk]]:
             yield number, chunk
 
 
-def _all_have(cloud: Cloud, attribute: str, name: str, progress: Progress) -> bool:
+def _all_have(cloud: Cloud, attribute: str, name: str) -> tuple[bool, tuple[str, ...]]:
+    """Return whether all files have an attribute, and a sentence if only some have it."""
     lacking = [source.path.name for source in cloud.sources if not getattr(source, attribute)]
-    if lacking and len(lacking) < len(cloud.sources):
-        progress.update(
-            0.0, f"{', '.join(lacking)} has no {name}, so the {name} of the other files is ignored."
-        )
-    return not lacking
+    if not lacking or len(lacking) == len(cloud.sources):
+        return not lacking, ()
+    return False, (f"{', '.join(lacking)} has no {name}, so the {name} of the other files is ignored.",)

@@ -109,6 +109,7 @@ def read_preamble(
         elif len(fields) == width:
             found = _named(fields, roles)
             refuse_double_names(path, fields, found, COORDINATES)
+            _refuse_two_systems(path, fields, roles)
             if found:
                 columns, units, names = found, _units_of(fields, found), tuple(fields)
             if columns and not found and _is_line_of_units(fields):
@@ -176,6 +177,15 @@ def refuse_double_names(
                 f"{path} has several columns called {fields[columns[role]]}; rename those that are not "
                 "wanted."
             )
+
+
+def _refuse_two_systems(path: Path, fields: list[str], roles: Roles) -> None:
+    """Refuse names of two pairs of horizontal coordinates, such as X, Y and Easting, Northing."""
+    x, y = ([field for field in fields if simplified(field) in roles[role]] for role in COORDINATES[:2])
+    if len(x) > 1 and len(y) > 1:
+        raise InputError(
+            f"{path} has the coordinates {x[0]}, {y[0]} and {x[1]}, {y[1]}; rename those that are not wanted."
+        )
 
 
 def header_fields(line: str, delimiter: str) -> list[str]:

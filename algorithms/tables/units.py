@@ -44,6 +44,7 @@ _WHAT = (
     r"(?:coordinates?|coords?|koordinaten|coordonn[ée]es|coordenadas|x\W*y\W*z|points?|punkte|values?|werte"
     r"|lengths?|dimensions?|l[äa]ngen|ma(?:ß|ss)e|mesures|misure|medidas|data|daten)"
 )
+_WRITTEN = r"(?:exports?|export(?:ed|iert|[ée]e?s?)|esportat[oaie]|exportad[oa]s?|files?|clouds?|scans?)"
 _OF_ALL = rf"(?:{_WHAT}|linear|distances?|measurements?|files?|exports?|models?|clouds?|scans?|global)"
 _REMARKS = (
     re.compile(
@@ -54,7 +55,7 @@ _REMARKS = (
     ),
     re.compile(rf"\W*(?:the\s+)?{_UNIT}\s+(\S+?)\W*"),
     re.compile(
-        rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?{_WHAT}?"
+        rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?(?:{_WHAT}|{_WRITTEN})?"
         r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*\s*(?:\b(?:in|en)\s|[:=(\[])\s*(\w+)\W*"
     ),
     re.compile(

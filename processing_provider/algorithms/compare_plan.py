@@ -99,6 +99,8 @@ class ComparePlanAlgorithm(Algorithm):
         log.info(f"Completeness {found.completeness:.3f}, correctness {found.correctness:.3f}.")
         if reference.drawn:
             log.info("The reference is a plan drawn by hand: only its judged region is compared.")
+        if values["ROOMS"] and not rooms:
+            log.warn(["ROOMS are not compared, because REFERENCE has no rooms drawn by hand."])
         if rooms:
             log.info(f"Rooms: {rooms.found} found, {rooms.missed} missed, {rooms.invented} invented.")
         if found.completeness:

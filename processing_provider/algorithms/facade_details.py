@@ -119,6 +119,7 @@ class FacadeDetailsAlgorithm(Algorithm):
         cloud = open_upright_site(values, log)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.2), settings.thinning)
+        log.warn(points.warnings)
         selection = select_facade(
             points,
             settings,

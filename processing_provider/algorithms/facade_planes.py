@@ -65,6 +65,7 @@ class FacadePlanesAlgorithm(Algorithm):
         cloud = open_upright_site(values, log)
         log.warn(cloud.warnings)
         points = read_points(cloud, log.progress.part(0.0, 0.4))
+        log.warn(points.warnings)
         settings = PlaneSettings(min_points=values["MIN_POINTS"], max_planes=values["MAX_PLANES"])
         found = find_planes(points, values["DISTANCE"], settings, log.progress.part(0.4, 0.8))
         for number, plane in enumerate(found.planes, start=1):

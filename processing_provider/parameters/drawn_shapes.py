@@ -3,12 +3,15 @@
 # ruff: noqa: D102 - an override is described at the method that it overrides.
 
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any, Optional
 
 from qgis.core import (
+    QgsFeatureRequest,
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingFeatureSource,
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingParameterFeatureSource,
 )
@@ -53,13 +56,21 @@ class DrawnShapes(Parameter):
         from shapely import wkb
         from shapely.errors import ShapelyError
 
+        # The check of QGIS ends the process if a coordinate is not a number.
+        features = source.getFeatures(
+            QgsFeatureRequest(), QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks
+        )
         try:
-            shapes = [wkb.loads(shape) for feature in source.getFeatures() if (shape := straight(feature))]
+            shapes = [wkb.loads(shape) for feature in features if (shape := straight(feature))]
         except ShapelyError as error:
             raise InputError(
                 f"{self.name} has a shape that cannot be read ({error}); correct or remove it."
             ) from error
         shapes = [shape for shape in shapes if not shape.is_empty]
+        if not all(isfinite(shape.length) for shape in shapes):
+            raise InputError(
+                f"{self.name} has a shape whose coordinates are not numbers; correct or remove it."
+            )
         if not shapes:
             raise InputError(f"{self.name} has no lines or polygons; draw one, or leave it empty.")
         given = parameters[self.name]

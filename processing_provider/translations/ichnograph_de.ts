@@ -131,6 +131,16 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
+        <translation>Die Koordinaten von %1 sind auf %2 gerundet; mit drei oder mehr Nachkommastellen exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>%1 of the points of %2 are at 0, 0, 0, where programs put what was not measured; remove them.</source>
+        <translation>%1 der Punkte von %2 liegen bei 0, 0, 0, wohin Programme legen, was nicht gemessen wurde; diese Punkte entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
         <source>The points of %1 reach over %2 m in height; if their coordinates are millimetres, convert them to metres.</source>
         <translation>Die Punkte von %1 reichen über %2 m in der Höhe; sind ihre Koordinaten Millimeter, sie in Meter umrechnen.</translation>
     </message>
@@ -253,13 +263,13 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
-        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
-        <translation>Der Kopf von %1 kündigt %2 Punkte an, aber %3 weitere folgen, die weggelassen wurden; die Datei neu exportieren.</translation>
+        <source>The header of %1 announces no points; the %2 that follow it were read, so check that the file is complete.</source>
+        <translation>Der Dateikopf von %1 kündigt keine Punkte an; die %2 folgenden wurden gelesen. Prüfen, ob die Datei vollständig ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
-        <source>The header of %1 announces no points; the %2 that follow it were read, so check that the file is complete.</source>
-        <translation>Der Dateikopf von %1 kündigt keine Punkte an; die %2 folgenden wurden gelesen. Prüfen, ob die Datei vollständig ist.</translation>
+        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
+        <translation>Der Kopf von %1 kündigt %2 Punkte an, aber %3 weitere folgen, die weggelassen wurden; die Datei neu exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
@@ -402,6 +412,7 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>sie kündigt %1 Punkte an und hat %2</translation>
     </message>
@@ -416,27 +427,27 @@
         <translation>%1 hat eine Eigenschaft %2 außerhalb des Bereichs ihres Typs; erneut exportieren.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 is a PLY of an unknown encoding; export it again.</source>
         <translation>%1 ist eine PLY-Datei mit unbekannter Kodierung; erneut exportieren.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 is not a PLY file; give it the extension of its format.</source>
         <translation>%1 ist keine PLY-Datei; die Endung ihres Formats verwenden.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has a header that cannot be read; export it again.</source>
         <translation>Der Dateikopf von %1 ist nicht lesbar; erneut exportieren.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has vertices without x, y and z; export it again as a point cloud.</source>
         <translation>%1 hat Punkte ohne x, y und z; als Punktwolke erneut exportieren.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has the property %2 with its vertices or before them, which cannot be read; export it again as a point cloud.</source>
         <translation>%1 hat bei den Punkten oder davor die Eigenschaft %2, die nicht gelesen werden kann; als Punktwolke erneut exportieren.</translation>
     </message>
@@ -567,6 +578,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>Spalte %1 von %2 hat keinen Namen und zählt die Punkte, nennt eine Zeit oder ist überall gleich; sie wurde weggelassen. Die Spalten in einer ersten Zeile benennen, wie &#x27;x y z intensity&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The last four columns of %1 can be intensity and colour or colour and intensity, so both were left out; name the columns in a first line, as &#x27;x y z intensity red green blue&#x27;.</source>
         <translation>Die letzten vier Spalten von %1 können Intensität und Farbe oder Farbe und Intensität sein; beides wurde ausgelassen. Die Spalten in einer ersten Zeile benennen: &#x27;x y z intensity red green blue&#x27;.</translation>
     </message>
@@ -582,8 +598,18 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 is a model of surfaces, not a point cloud; export its points as x y z.</source>
+        <translation>%1 ist ein Modell aus Flächen, keine Punktwolke; seine Punkte als x y z exportieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
         <translation>%1 der ersten Zeilen von %2, die erste in Zeile %3, beginnen wie Kommentare und wurden als Punkte gelesen, weil ihr erstes Feld ein Name ist.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>Column %1 of %2 has no name and was read as intensity; if it is something else, name the columns in a first line.</source>
+        <translation>Spalte %1 von %2 hat keinen Namen und wurde als Intensität gelesen; ist sie etwas anderes, die Spalten in einer ersten Zeile benennen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -1918,6 +1944,21 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>The axes of %1, the system of %2, point %3 and %4, but plans show them to the right and up; reproject the points to a system of easting and northing.</source>
+        <translation>Die Achsen von %1, dem System von %2, zeigen nach %3 und %4 (englisch), Pläne zeigen sie aber nach rechts und oben; die Punkte in ein System mit Rechts- und Hochwert umprojizieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>Lengths in %1, the system of %2, are %3 times those on the ground; reproject the points to a system such as UTM.</source>
+        <translation>Längen in %1, dem System von %2, sind %3-mal so lang wie in der Natur; die Punkte in ein System wie UTM umprojizieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x und y von %1 scheinen vertauscht zu sein, weil x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>The coordinates of %1 are %2 (%3); reproject to a projected coordinate reference system in metres.</source>
         <translation>Die Koordinaten von %1 sind %2 (%3); in ein projiziertes Koordinatenbezugssystem in Metern umprojizieren.</translation>
     </message>
@@ -2215,6 +2256,11 @@
         <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>Only %1 of %2 were read; its further columns were left out.</source>
         <translation>Nur %1 von %2 wurden gelesen; die weiteren Spalten wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>All heights in %1 are 0; if they are not known, add them.</source>
+        <translation>Alle Höhen in %1 sind 0; sind sie unbekannt, sie ergänzen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
@@ -4370,6 +4416,11 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
+        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
+        <translation>%1 hat die Koordinaten %2, %3 und %4, %5; die nicht gewünschten umbenennen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
         <source>%1 has geographic coordinates in degrees; reproject it to a projected coordinate reference system in metres.</source>
         <translation>%1 hat geographische Koordinaten in Grad; in ein projiziertes Koordinatenbezugssystem in Metern umprojizieren.</translation>
     </message>
@@ -4407,6 +4458,21 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>Zeile %1 von %2 hat %3 Felder, die Kopfzeile aber benennt %4 Spalten; diese Zeile berichtigen oder, wenn das Trennzeichen ein Komma ist, Dezimalpunkte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; move the points by it with transformcloud where they need it.</source>
+        <translation>Der Kopf von %1 sagt &#x27;%2&#x27;, was nicht angewendet wird; die Punkte mit transformcloud so bewegen, wenn es nötig ist.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says that %2 is up, which is not applied; rotate the points so that z is.</source>
+        <translation>Der Kopf von %1 sagt, dass %2 nach oben zeigt, was nicht angewendet wird; die Punkte drehen, bis z nach oben zeigt.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>A remark in %1 names EPSG:%2, which is not read; choose that reference system if it is right.</source>
+        <translation>Ein Kommentar in %1 nennt EPSG:%2, was nicht gelesen wird; dieses Bezugssystem wählen, wenn es richtig ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/units.py"/>
@@ -4979,6 +5045,11 @@
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>The reference is a plan drawn by hand: only its judged region is compared.</source>
         <translation>Die Referenz ist ein von Hand gezeichneter Plan: Nur ihr beurteilter Bereich wird verglichen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/compare_plan.py"/>
+        <source>ROOMS are not compared, because REFERENCE has no rooms drawn by hand.</source>
+        <translation>ROOMS werden nicht verglichen, weil REFERENCE keine von Hand gezeichneten Räume hat.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
@@ -6529,6 +6600,11 @@
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
         <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
         <translation>%1 enthält ein Objekt, das nicht gelesen werden kann (%2); es berichtigen oder entfernen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape whose coordinates are not numbers; correct or remove it.</source>
+        <translation>%1 hat eine Form, deren Koordinaten keine Zahlen sind; sie berichtigen oder entfernen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>

@@ -131,6 +131,16 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
+        <translation>Les coordonnées de %1 sont arrondies à %2 ; exportez-les avec trois décimales ou plus.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
+        <source>%1 of the points of %2 are at 0, 0, 0, where programs put what was not measured; remove them.</source>
+        <translation>%1 des points de %2 sont en 0, 0, 0, où les programmes mettent ce qui n&#x27;a pas été mesuré ; supprimez-les.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
         <source>The points of %1 reach over %2 m in height; if their coordinates are millimetres, convert them to metres.</source>
         <translation>Les points de %1 s’étendent sur %2 m en hauteur ; si leurs coordonnées sont des millimètres, convertissez-les en mètres.</translation>
     </message>
@@ -253,13 +263,13 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
-        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
-        <translation>L’en-tête de %1 annonce %2 points, mais %3 autres suivent, qui ont été omis ; exportez le fichier à nouveau.</translation>
+        <source>The header of %1 announces no points; the %2 that follow it were read, so check that the file is complete.</source>
+        <translation>L&#x27;en-tête de %1 n&#x27;annonce aucun point ; les %2 qui le suivent ont été lus, vérifiez donc que le fichier est complet.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
-        <source>The header of %1 announces no points; the %2 that follow it were read, so check that the file is complete.</source>
-        <translation>L&#x27;en-tête de %1 n&#x27;annonce aucun point ; les %2 qui le suivent ont été lus, vérifiez donc que le fichier est complet.</translation>
+        <source>The header of %1 announces %2 points, but %3 more follow, which were left out; export it again.</source>
+        <translation>L’en-tête de %1 annonce %2 points, mais %3 autres suivent, qui ont été omis ; exportez le fichier à nouveau.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/las_layout.py"/>
@@ -402,6 +412,7 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>it announces %1 points and has %2</source>
         <translation>il annonce %1 points et en a %2</translation>
     </message>
@@ -416,27 +427,27 @@
         <translation>%1 a une propriété %2 hors des limites de son type ; exportez-le à nouveau.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 is a PLY of an unknown encoding; export it again.</source>
         <translation>%1 est un PLY d&#x27;un codage inconnu ; exportez-le à nouveau.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 is not a PLY file; give it the extension of its format.</source>
         <translation>%1 n&#x27;est pas un fichier PLY ; donnez-lui l&#x27;extension de son format.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has a header that cannot be read; export it again.</source>
         <translation>L&#x27;en-tête de %1 est illisible ; exportez-le à nouveau.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has vertices without x, y and z; export it again as a point cloud.</source>
         <translation>%1 a des sommets sans x, y et z ; exportez-le à nouveau comme nuage de points.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ply_header.py"/>
         <source>%1 has the property %2 with its vertices or before them, which cannot be read; export it again as a point cloud.</source>
         <translation>%1 a, dans ses sommets ou avant eux, la propriété %2, qui ne peut pas être lue ; exportez-le à nouveau comme nuage de points.</translation>
     </message>
@@ -567,6 +578,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
+        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>La colonne %1 de %2 n&#x27;a pas de nom et compte les points, donne une heure ou est partout la même ; elle a été laissée de côté. Nommez les colonnes dans une première ligne, comme &#x27;x y z intensity&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_columns.py"/>
         <source>The last four columns of %1 can be intensity and colour or colour and intensity, so both were left out; name the columns in a first line, as &#x27;x y z intensity red green blue&#x27;.</source>
         <translation>Les quatre dernières colonnes de %1 peuvent être l&#x27;intensité et la couleur ou l&#x27;inverse ; elles ont été écartées. Nommez les colonnes dans une première ligne : &#x27;x y z intensity red green blue&#x27;.</translation>
     </message>
@@ -582,8 +598,18 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>%1 is a model of surfaces, not a point cloud; export its points as x y z.</source>
+        <translation>%1 est un modèle de surfaces, pas un nuage de points ; exportez ses points comme x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
         <source>%1 of the first rows of %2, the first in line %3, begin as remarks do and were read as points, because their first field is a name.</source>
         <translation>%1 des premières lignes de %2, la première à la ligne %3, commencent comme des commentaires et ont été lues comme points, car leur premier champ est un nom.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/formats/text_layout.py"/>
+        <source>Column %1 of %2 has no name and was read as intensity; if it is something else, name the columns in a first line.</source>
+        <translation>La colonne %1 de %2 n&#x27;a pas de nom et a été lue comme intensité ; si c&#x27;est autre chose, nommez les colonnes dans une première ligne.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_layout.py"/>
@@ -1918,6 +1944,21 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
+        <source>The axes of %1, the system of %2, point %3 and %4, but plans show them to the right and up; reproject the points to a system of easting and northing.</source>
+        <translation>Les axes de %1, le système de %2, pointent vers %3 et %4 (en anglais), mais les plans les montrent vers la droite et le haut ; reprojetez les points dans un système d&#x27;abscisses est et d&#x27;ordonnées nord.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>Lengths in %1, the system of %2, are %3 times those on the ground; reproject the points to a system such as UTM.</source>
+        <translation>Les longueurs dans %1, le système de %2, sont %3 fois celles sur le terrain ; reprojetez les points dans un système tel que UTM.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
+        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x et y de %1 semblent permutés, parce que x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/reference_systems.py"/>
         <source>The coordinates of %1 are %2 (%3); reproject to a projected coordinate reference system in metres.</source>
         <translation>Les coordonnées de %1 sont %2 (%3) ; reprojetez-les dans un système projeté en mètres.</translation>
     </message>
@@ -2215,6 +2256,11 @@
         <location filename="../../algorithms/registration/lists/point_text.py"/>
         <source>Only %1 of %2 were read; its further columns were left out.</source>
         <translation>Seuls %1 de %2 ont été lus ; les autres colonnes ont été écartées.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/lists/point_text.py"/>
+        <source>All heights in %1 are 0; if they are not known, add them.</source>
+        <translation>Toutes les hauteurs de %1 sont 0 ; si elles ne sont pas connues, ajoutez-les.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/lists/point_text.py"/>
@@ -4370,6 +4416,11 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
+        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
+        <translation>%1 a les coordonnées %2, %3 et %4, %5 ; renommez celles qui ne sont pas voulues.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/header.py"/>
         <source>%1 has geographic coordinates in degrees; reproject it to a projected coordinate reference system in metres.</source>
         <translation>%1 a des coordonnées géographiques en degrés ; reprojetez-le dans un système projeté en mètres.</translation>
     </message>
@@ -4407,6 +4458,21 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>La ligne %1 de %2 a %3 champs, alors que l&#x27;en-tête nomme %4 colonnes ; corrigez cette ligne, ou écrivez des points décimaux si le séparateur est une virgule.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; move the points by it with transformcloud where they need it.</source>
+        <translation>L&#x27;en-tête de %1 dit &#x27;%2&#x27;, ce qui n&#x27;est pas appliqué ; déplacez ainsi les points avec transformcloud si nécessaire.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says that %2 is up, which is not applied; rotate the points so that z is.</source>
+        <translation>L&#x27;en-tête de %1 dit que %2 est vers le haut, ce qui n&#x27;est pas appliqué ; tournez les points pour que ce soit z.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>A remark in %1 names EPSG:%2, which is not read; choose that reference system if it is right.</source>
+        <translation>Une remarque dans %1 nomme EPSG:%2, ce qui n&#x27;est pas lu ; choisissez ce système de référence s&#x27;il est juste.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/units.py"/>
@@ -4979,6 +5045,11 @@
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
         <source>The reference is a plan drawn by hand: only its judged region is compared.</source>
         <translation>La référence est un plan dessiné à la main : seule sa zone évaluée est comparée.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/compare_plan.py"/>
+        <source>ROOMS are not compared, because REFERENCE has no rooms drawn by hand.</source>
+        <translation>ROOMS n&#x27;est pas comparé, parce que REFERENCE n&#x27;a pas de pièces dessinées à la main.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/compare_plan.py"/>
@@ -6529,6 +6600,11 @@
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
         <source>%1 has a shape that cannot be read (%2); correct or remove it.</source>
         <translation>%1 contient une forme qui ne peut pas être lue (%2) ; corrigez-la ou supprimez-la.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/drawn_shapes.py"/>
+        <source>%1 has a shape whose coordinates are not numbers; correct or remove it.</source>
+        <translation>%1 a une forme dont les coordonnées ne sont pas des nombres ; corrigez-la ou supprimez-la.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/drawn_shapes.py"/>

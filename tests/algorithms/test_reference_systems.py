@@ -16,6 +16,7 @@ from ichnograph.algorithms.reference_systems import (
     name_of,
     parse_layer_wkt,
     parse_wkt,
+    position_warning,
     require_metres,
 )
 from rasterio.crs import CRS
@@ -207,3 +208,30 @@ def test_a_zone_with_a_shift_of_its_datum_is_a_zone():
 
 def test_local_coordinates_beside_a_small_country_are_elsewhere():
     assert is_elsewhere(CRS.from_epsg(21781), 12, 7)
+
+
+def test_a_northing_of_utm_before_its_easting_is_said_without_a_system_too():
+    north, east = 5_812_345.0, 412_345.0
+    (sentence,) = position_warning(None, np.array([north, east]), "a.xyz")
+    assert "x is a northing of 5812 km and y an easting of 412 km" in sentence
+    for x, y in ((east, north), (4_500_000.0, north), (2_600_000.0, 1_200_000.0), (10.0, 20.0), (5e6, 2e6)):
+        assert position_warning(None, np.array([x, y]), "a.xyz") == ()
+
+
+@pytest.mark.parametrize(
+    ("code", "x", "y", "sentence"),
+    [
+        (3857, 1_224_500.0, 6_106_900.0, "Lengths in EPSG:3857, the system of a.las, are 1.49 times"),
+        (5513, 1_043_000.0, 743_000.0, "The axes of EPSG:5513, the system of a.las, point south and west"),
+    ],
+)
+def test_systems_that_would_spoil_a_plan_are_said(code, x, y, sentence):
+    assert sentence in position_warning(CRS.from_epsg(code), np.array([x, y]), "a.las")[0]
+
+
+@pytest.mark.parametrize(
+    ("code", "x", "y"),
+    [(25833, 390_000.0, 5_820_000.0), (2154, 1_200_000.0, 6_110_000.0), (2056, 2_600_000.0, 1_200_000.0)],
+)
+def test_systems_for_surveys_are_fine(code, x, y):
+    assert position_warning(CRS.from_epsg(code), np.array([x, y]), "a.las") == ()

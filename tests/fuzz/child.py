@@ -21,7 +21,7 @@ MEMORY = 2**30
 """Bytes that a damaged file of some kilobytes may claim beyond those of the program."""
 
 SECONDS = 20
-"""A damaged file of some kilobytes may take."""
+"""Of the processor that a damaged file of some kilobytes may take."""
 
 
 def main() -> None:
@@ -32,7 +32,7 @@ def main() -> None:
     parser.add_argument("seconds", type=float)
     parser.add_argument("findings", type=Path)
     chosen = parser.parse_args()
-    signal.signal(signal.SIGALRM, _too_long)
+    signal.signal(signal.SIGPROF, _too_long)
     with tempfile.TemporaryDirectory(prefix="ichnograph-fuzz-") as folder:
         _run(chosen.reader, chosen.first, chosen.seconds, Path(folder), chosen.findings)
 
@@ -74,7 +74,7 @@ def _copied(seed: Path, folder: Path) -> Path:
 
 def _read(read: object, path: Path) -> str:
     """Return what is wrong with how a file is answered; nothing if it is read, or refused in one sentence."""
-    signal.alarm(SECONDS)
+    signal.setitimer(signal.ITIMER_PROF, SECONDS)
     try:
         read(path)  # type: ignore[operator]
     except IchnographError as error:
@@ -85,7 +85,7 @@ def _read(read: object, path: Path) -> str:
     except BaseException:
         return traceback.format_exc()
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
     return ""
 
 

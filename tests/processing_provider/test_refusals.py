@@ -208,9 +208,16 @@ OUTLINES = {
     "not a number": ("walls.gpkg", walls(float("nan"))),
 }
 
+PICTURES = {kind: RASTERS[kind] for kind in ("missing", "empty", "text")}
+"""What is shown below a plan may be any raster."""
+
+DRAWN = {**SHOWN, "points": OUTLINES["points"], "not a number": OUTLINES["not a number"]}
+
 GOOD = {
     "cloud.xyz": text(ROWS),
     "list.txt": text(POINTS),
+    "cloud.txt": text(POINTS),
+    "list.xyz": text(ROWS),
     "table.csv": text("id,width,height\n1,0.9,1.6\n"),
     "a.json": text(json.dumps(TRANSFORM)),
     "walls.gpkg": walls(),
@@ -234,15 +241,47 @@ ALGORITHMS = {
     ("comparelengths", "REFERENCE"): (TABLES, {"TABLE": "out.csv"}, {"SCHEDULE": "table.csv"}),
     ("compareplan", "WALLS"): (OUTLINES, {"ERRORS": "out.gpkg"}, {"REFERENCE": "walls.gpkg"}),
     ("compareplan", "REFERENCE"): (OUTLINES, {"ERRORS": "out.gpkg"}, {"WALLS": "walls.gpkg"}),
+    ("compareplan", "ROOMS"): (
+        {kind: bad for kind, bad in OUTLINES.items() if kind != "a country"},
+        {"ERRORS": "out.gpkg"},
+        {"WALLS": "walls.gpkg", "REFERENCE": "walls.gpkg"},
+    ),
     ("planlayout", "WALLS"): (SHOWN, {"PDF": "out.pdf"}, {}),
-}
-"""For each parameter that is a file: bad ones, the outputs, and the other inputs."""
+    ("planlayout", "ROOMS"): (SHOWN, {"PDF": "out.pdf"}, {"WALLS": "walls.gpkg"}),
+    ("planlayout", "AXES"): (SHOWN, {"PDF": "out.pdf"}, {"WALLS": "walls.gpkg"}),
+    ("planlayout", "IMAGE"): (PICTURES, {"PDF": "out.pdf"}, {"WALLS": "walls.gpkg"}),
+    ("facadedetails", "FACADE_ALONG"): (DRAWN, {"ELEVATION": "out.shp"}, {"INPUT": "cloud.xyz"}),
+    ("registerscans", "SCANS"): (
+        CLOUDS,
+        {"TRANSFORMS": "out.json"},
+        {"CONTROL": "list.txt", "TARGETS": "list.txt;cloud.txt", "REFINE": True, "SCANS": "list.xyz"},
+    ),
+}  # fmt: skip
+"""For each parameter that is a file: bad ones, the outputs, and the other inputs, also in the parameter."""
 
 CASES = [
     pytest.param(algorithm, parameter, kind, id=f"{algorithm}-{parameter}-{kind}")
     for (algorithm, parameter), (kinds, *_) in ALGORITHMS.items()
     for kind in kinds
 ]
+
+
+def test_every_parameter_that_is_a_file_is_tried(provider):
+    from ichnograph.processing_provider.algorithm import Algorithm
+    from ichnograph.processing_provider.parameters.parameter import Parameter
+
+    own = [algorithm for algorithm in provider.algorithms() if isinstance(algorithm, Algorithm)]
+    files = {
+        (algorithm.name(), item.name)
+        for algorithm in own
+        for item in algorithm.inputs
+        if type(item).sources is not Parameter.sources
+    }
+    assert files == set(ALGORITHMS)
+
+
+def located(names, folder):
+    return ";".join(str(folder / name) for name in names.split(";"))
 
 
 @pytest.mark.parametrize(("algorithm", "parameter", "kind"), CASES)
@@ -265,11 +304,9 @@ def test_bad_input_is_one_sentence_and_changes_nothing(run, tmp_path, algorithm,
         if path.suffix:
             path.write_bytes(b"an older output")
     before = {path.name: path.read_bytes() for path in target.iterdir()}
-    given = {
-        parameter: str(bad / name),
-        **{item: str(good / file) for item, file in others.items()},
-        **{item: str(path) for item, path in paths.items()},
-    }
+    given = {item: value if value is True else located(value, good) for item, value in others.items()}
+    given[parameter] = ";".join(filter(None, [str(bad / name), given.get(parameter)]))
+    given.update((item, str(path)) for item, path in paths.items())
 
     with pytest.raises(QgsProcessingException) as caught:
         run(algorithm, **given)

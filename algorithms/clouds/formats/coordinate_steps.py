@@ -57,6 +57,53 @@ def unit_warning(
     )
 
 
+def rounding_warning(
+    path: Path,
+    xyz: np.ndarray,
+    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    settings: PrecisionSettings = PrecisionSettings(),
+) -> tuple[str, ...]:
+    """Return a sentence on coordinates with too few decimals, as in spreadsheets; see `step_warning`."""
+    known = xyz[np.isfinite(xyz).all(axis=1)]
+    if len(known) < settings.fewest_rounded:
+        return ()
+    steps = [_decimal_step(column) * unit for column, unit in zip(known.T, metres)]
+    coarse = [
+        f"{step:g} m in {axis}" for axis, step in zip("xyz", steps) if step >= settings.coarsest_scale_m
+    ]
+    if not coarse:
+        return ()
+    return (
+        f"The coordinates of {path} are rounded to {', '.join(coarse)}; export it with three decimals or "
+        "more.",
+    )
+
+
+def _decimal_step(values: np.ndarray) -> float:
+    """Return the largest power of ten of which all `values` are multiples; 0 if they are equal, or finer."""
+    if np.ptp(values) == 0:
+        return 0.0
+    # Sums and products of numbers of the file are as exact as double precision, but for some last bits.
+    exact = 16 * np.spacing(np.abs(values).max())
+    for step in 10.0 ** np.arange(6, -4, -1):
+        if np.all(np.abs(values - step * np.rint(values / step)) < exact):
+            return float(step)
+    return 0.0
+
+
+def _zero_warning(
+    path: Path, xyz: np.ndarray, settings: PrecisionSettings = PrecisionSettings()
+) -> tuple[str, ...]:
+    """Return a sentence on points at 0, 0, 0, where a scanner stands but measures nothing."""
+    lost = np.all(xyz == 0, axis=1)
+    if lost.sum() < settings.fewest_points or lost.all():
+        return ()
+    return (
+        f"{lost.mean():.1%} of the points of {path} are at 0, 0, 0, where programs put what was not "
+        "measured; remove them.",
+    )
+
+
 def height_warning(
     path: Path, z: np.ndarray, settings: PrecisionSettings = PrecisionSettings()
 ) -> tuple[str, ...]:
@@ -77,8 +124,12 @@ def coordinate_warnings(
     unit_stated: bool = False,
 ) -> tuple[str, ...]:
     """Return all sentences on the coordinates of a cloud; see `step_warning` and `unit_warning`."""
-    coarse = step_warning(path, xyz, metres) or unit_warning(path, xyz, unit_stated)
-    return coarse or height_warning(path, xyz[:, 2] * metres[2])
+    coarse = (
+        step_warning(path, xyz, metres)
+        or unit_warning(path, xyz, unit_stated)
+        or rounding_warning(path, xyz, metres)
+    )
+    return (*(coarse or height_warning(path, xyz[:, 2] * metres[2])), *_zero_warning(path, xyz))
 
 
 def _step(values: np.ndarray, settings: PrecisionSettings) -> float:

@@ -20,7 +20,16 @@ from ..source import Chunk, Source, no_points
 from .coordinate_steps import coordinate_warnings
 from .geotiff_keys import parse_geotiff_keys
 from .las_layout import count_warning
-from .las_reader import EVERYTHING, LARGEST_BLOCK, Selection, can_seek, open_reader, read_records, seek
+from .las_reader import (
+    EVERYTHING,
+    LARGEST_BLOCK,
+    Selection,
+    can_seek,
+    open_reader,
+    read_records,
+    seek,
+    surplus_points,
+)
 from .normals import unnamed_normals
 from .stated_crs import read_crs
 from .value_ranges import scaled_colour
@@ -89,6 +98,7 @@ class LasSource(Source):
             warnings=(
                 *warnings,
                 *count_warning(path),
+                *surplus_points(path),
                 *_left_out(path, 1 - share),
                 *_coordinate_warnings(path, header.scales, xyz, crs),
                 *unnamed_normals(path, _extra(sample, header.point_format)),

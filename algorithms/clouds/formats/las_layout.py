@@ -63,15 +63,20 @@ def count_warning(path: Path) -> tuple[str, ...]:
     with path.open("rb") as stream:
         layout = read_layout(path, stream)
     if layout.states_count and layout.surplus:
-        return (
-            f"The header of {path} announces {layout.count} points, but {layout.surplus} more follow, which "
-            "were left out; export it again.",
-        )
+        return surplus_warning(path, layout.count, layout.surplus)
     if layout.states_count:
         return ()
     return (
         f"The header of {path} announces no points; the {layout.count} that follow it were read, so check "
         "that the file is complete.",
+    )
+
+
+def surplus_warning(path: Path, count: int, surplus: int) -> tuple[str, ...]:
+    """Return the sentence on points that follow those that the header announces."""
+    return (
+        f"The header of {path} announces {count} points, but {surplus} more follow, which were left out; "
+        "export it again.",
     )
 
 

@@ -10,8 +10,8 @@ import numpy as np
 
 from ...errors import CancelledError, InputError
 from ..source import unreadable
-from .las_layout import LasLayout, damaged, read_layout
-from .laz_chunks import read_record, with_table
+from .las_layout import LasLayout, damaged, read_layout, surplus_warning
+from .laz_chunks import read_record, surplus, with_table
 
 LARGEST_BLOCK = 2**28
 """Bytes of raw records that are read at once, whatever a damaged header announces."""
@@ -74,6 +74,18 @@ def _as_input_error(path: Path) -> Iterator[None]:
 
 def _one_line(error: BaseException) -> str:
     return " ".join(str(error).split())[:200]
+
+
+def surplus_points(path: Path) -> tuple[str, ...]:
+    """Return a sentence if the chunks of a LAZ hold more points than its header announces."""
+    with path.open("rb") as stream:
+        layout = read_layout(path, stream)
+        if not layout.compressed:
+            return ()
+        stream.seek(0)
+        data = laspy.LasHeader.read_from(stream).vlrs.get("LasZipVlr")[0].record_data
+        more = surplus(stream, layout, read_record(path, data, layout))
+    return surplus_warning(path, layout.count, more) if more else ()
 
 
 def can_seek(reader: laspy.LasReader) -> bool:

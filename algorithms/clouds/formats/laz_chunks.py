@@ -112,6 +112,26 @@ def with_table(
     return _with_assumed_table(path, stream, layout, record)
 
 
+def surplus(stream: BinaryIO, layout: LasLayout, record: LaszipRecord) -> int:
+    """Return how many points the chunks hold at least beyond those that the header announces.
+
+    The chunks of the newer compression and those of different sizes state their points; the last of others
+    may hold fewer than all.
+    """
+    if record.compressor == POINTWISE or not _position_of_table(stream, layout):
+        return 0
+    held, position = 0, layout.start + 8
+    chunks = _read_table(stream, layout, record)
+    for number, (count, size) in enumerate(chunks, start=1):
+        if record.layers and size:
+            stream.seek(position + layout.record_size)
+            count = struct.unpack("<I", stream.read(4).ljust(4, b"\0"))[0]
+        elif number == len(chunks) and not record.has_chunks_of_any_size:
+            count = 1
+        held, position = held + count, position + size
+    return max(held - layout.count, 0)
+
+
 def _position_of_table(stream: BinaryIO, layout: LasLayout) -> int:
     """Return where the table begins, 0 if there is none."""
 

@@ -98,12 +98,20 @@ def columns_by_count(
     if len(numeric) < 3:
         raise InputError(f"{path} has fewer than three columns of numbers; export it as x y z.")
     xyz, extra = tuple(numeric[:3]), numeric[3:]
+    counting = _counting(values, elsewhere, extra)
+    extra = [column for column in extra if column != counting]
     values = values if elsewhere is None else np.concatenate([values, elsewhere])
     normals = _normals(values, extra, settings.unit_length)
     extra = [column for column in extra if column not in (normals or ())]
     rgb = _colour(values, extra, path.suffix.lower() == ".pts", settings)
     others = [column for column in extra if column not in (rgb or ())]
     intensity = others[0] if len(others) == 1 and len(extra) in (1, 4) else None
+    if counting is not None:
+        left_out = (
+            f"Column {counting + 1} of {path} has no name and counts the points, states a time or is the "
+            "same everywhere, so it was left out; name the columns in a first line, as 'x y z intensity'."
+        )
+        return Columns(xyz, None, rgb, normals), (left_out,)
     if len(extra) == 4 and rgb is None and _colour_at(values, extra):
         doubt = (
             f"The last four columns of {path} can be intensity and colour or colour and intensity, so both "
@@ -180,6 +188,15 @@ def _agreement(values: np.ndarray) -> float:
     with np.errstate(invalid="ignore", divide="ignore"):
         correlations = np.corrcoef(values.T)
     return float(np.nan_to_num(correlations).min())
+
+
+def _counting(values: np.ndarray, elsewhere: Optional[np.ndarray], extra: list[int]) -> Optional[int]:
+    """Return the column that could be the intensity but never falls along the file; None if all do."""
+    if len(values) <= FEWEST_COUNTED or len(extra) not in (1, 4):
+        return None
+    parts = [part for part in (values, elsewhere) if part is not None and len(part)]
+    found = [column for column in extra if not any(np.any(np.diff(part[:, column]) < 0) for part in parts)]
+    return found[0] if len(found) == 1 and found[0] in (extra[0], extra[-1]) else None
 
 
 def _is_label(rows: list[list[str]], values: np.ndarray, numeric: list[int]) -> bool:

@@ -20,6 +20,7 @@ from ...tables.dialect import (
 )
 from ...tables.encoding import encoding_of
 from ...tables.header import read_preamble
+from ...tables.remarks import unapplied_remarks
 from ...tables.units import factor_of
 from ..settings import TextSettings
 from .line_samples import sample_lines
@@ -75,6 +76,7 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
+    _refuse_models(path, lines[0], {row[0] for row in rows})
     ends_empty = not any(row[-1] for row in rows)
     header = read_preamble(path, lines[: numbers[0]], delimiter, width, ends_with_delimiter=ends_empty)
     signs = decimal_signs(path, rows, delimiter, bool(header.columns))
@@ -98,6 +100,8 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=(
             *warnings,
+            *_assumed_intensity(path, columns, bool(header.columns)),
+            *unapplied_remarks(path, lines[: numbers[0]]),
             *_unnamed_normals(path, values, columns),
             *_converted(path, header.units),
             *degree_warning(path, ([row[column] for column in columns.xyz] for row in rows), dialect),
@@ -109,6 +113,19 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
             if column not in columns.used and np.any(values[:, column] != 0)
         ),
     )
+
+
+def _refuse_models(path: Path, first: str, marks: set[str]) -> None:
+    """Refuse models of surfaces, whose normals and triangles would be taken for points.
+
+    Raises
+    ------
+    InputError
+    """
+    is_off = first.strip().endswith("OFF") and len(first.split()) == 1
+    is_obj = "v" in marks and not marks.isdisjoint(("vn", "vt", "f"))
+    if is_off or is_obj:
+        raise InputError(f"{path} is a model of surfaces, not a point cloud; export its points as x y z.")
 
 
 def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettings) -> np.ndarray:
@@ -139,6 +156,16 @@ def _taken(path: Path, marked: list[int]) -> tuple[str, ...]:
     return (
         f"{len(marked)} of the first rows of {path}, the first in line {marked[0] + 1}, begin as remarks do "
         "and were read as points, because their first field is a name.",
+    )
+
+
+def _assumed_intensity(path: Path, columns: Columns, named: bool) -> tuple[str, ...]:
+    """Return a sentence on intensity that is recognised by its position; that of a PTS has its own."""
+    if named or columns.intensity is None or path.suffix.lower() == ".pts":
+        return ()
+    return (
+        f"Column {columns.intensity + 1} of {path} has no name and was read as intensity; if it is something "
+        "else, name the columns in a first line.",
     )
 
 

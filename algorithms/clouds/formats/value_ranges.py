@@ -17,7 +17,7 @@ def intensity_scale(values: np.ndarray, signed: bool = False, relative: bool = F
     values : ndarray, shape (n,)
         A sample; what is not a finite number is ignored.
     signed : bool
-        Whether the format has -2048..2047, even if no value is negative.
+        Whether the format has -2048..2047, even if no value is negative, unless all are of 8 bits.
     relative : bool
         Whether the format has intensities relative to the largest one, so that 1 or 255 may be that.
     """
@@ -26,7 +26,7 @@ def intensity_scale(values: np.ndarray, signed: bool = False, relative: bool = F
         return 0.0, 1.0
     low, high = float(values.min()), float(values.max())
     whole = not np.any(values % 1)
-    if low >= -2048 and high <= 2047 and whole and (signed or low < 0):
+    if low >= -2048 and high <= 2047 and whole and ((signed and high > 255) or low < 0):
         return 2048.0, WIDEST / 4095
     if low < 0:
         return -low, WIDEST / (high - low) if high > low else 1.0

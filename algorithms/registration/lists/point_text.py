@@ -21,6 +21,7 @@ from ...tables.dialect import (
 )
 from ...tables.encoding import read_lines
 from ...tables.header import COORDINATES, Header, metres_of, read_preamble
+from ...tables.remarks import unapplied_remarks
 from ...tables.units import factor_of
 from .covariances import CORRELATIONS, STDS, covariances_of, warnings_on
 from .point_rows import Rows
@@ -102,8 +103,10 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         covariances=covariances,
         warnings=(
             *_converted(path, header),
+            *unapplied_remarks(path, lines[:first]),
             *doubts,
             *_warnings(path, rows.values(), columns),
+            *_without_heights(path, xyz[:, 2]),
             *_marked(path, lines, delimiter, width),
             *degree_warning(path, coordinates, dialect),
         ),
@@ -292,6 +295,13 @@ def _warnings(path: Path, rows: Iterable[list[str]], columns: ListColumns) -> tu
     if columns.stds:
         read += ", and their standard deviations,"
     return (f"Only {read} of {path} were read; its further columns were left out.",) if left_out else ()
+
+
+def _without_heights(path: Path, heights: np.ndarray) -> tuple[str, ...]:
+    """Return a sentence if all heights are 0, as programs write those that are not known."""
+    if len(heights) < 2 or np.any(heights != 0):
+        return ()
+    return (f"All heights in {path} are 0; if they are not known, add them.",)
 
 
 def _marked(path: Path, lines: list[str], delimiter: str, width: int) -> tuple[str, ...]:

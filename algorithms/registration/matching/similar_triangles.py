@@ -10,6 +10,9 @@ from ...progress import Progress
 from .control_points import ControlPoints
 from .settings import TriangleSettings
 
+FARTHEST = 10.0
+"""Ratio of a side to the longest one, which is 1 at most, that no search around a shape reaches."""
+
 
 class SimilarTriangles:
     """The triangles of the control points, for queries of those with the shape of three targets.
@@ -52,7 +55,10 @@ class SimilarTriangles:
             for order in permutations(range(3)):
                 corners = triples[start : start + size, order]
                 sides = _sides(targets[corners])
-                ratios = sides[:, :2] / np.maximum(sides[:, 2:], np.finfo(float).tiny)
+                # Targets in one place have no longest side, and are far from all shapes.
+                with np.errstate(over="ignore"):
+                    ratios = sides[:, :2] / np.maximum(sides[:, 2:], np.finfo(float).tiny)
+                ratios = np.minimum(ratios, FARTHEST)
                 for triangles, tree, radius in self._trees:
                     # Sides whose lengths are equal within their uncertainty may be sorted either way.
                     near = tree.query_ball_point(ratios, radius)

@@ -7,7 +7,6 @@ from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.facade.points import read_points
 from ichnograph.algorithms.facade.settings import ThinningSettings
-from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_e57, write_ply, write_ptx
 
 COUNT = 40
@@ -51,12 +50,11 @@ def test_a_single_point_far_away_is_left_out_and_said(tmp_path, far):
     wall = [(x / 50, 0.5, z / 50) for x in range(60) for z in range(20)]
     path = tmp_path / "a.xyz"
     np.savetxt(path, [*wall[:7], far, *wall[7:]], "%.3f")
-    said = []
-    points = read_points(open_cloud([path]), Progress(lambda fraction, text: said.append(text)))
+    points = read_points(open_cloud([path]))
 
     np.testing.assert_allclose(points.xyz + points.origin, wall)
     assert len(points.scan) == len(wall)
-    assert "a.xyz: 1 of 1201 points lie far away from the site and are left out." in said
+    assert points.warnings == ("a.xyz: 1 of 1201 points lie far away from the site and are left out.",)
 
 
 def test_a_file_without_colour_or_intensity_has_none(tmp_path):
@@ -70,6 +68,7 @@ def test_colour_that_only_some_files_have_is_not_used(tmp_path):
 
     assert points.rgb is None
     assert points.intensity is not None and len(points.xyz) == 2 * COUNT
+    assert points.warnings == ("b.laz has no colour, so the colour of the other files is ignored.",)
 
 
 def test_scans_are_distinguished_by_point_source_file_and_block(tmp_path):

@@ -117,3 +117,10 @@ def test_remarks_with_several_units_are_refused(lines):
 
 def test_the_names_may_end_with_a_separator_although_the_rows_do_not():
     assert read_preamble(SCAN, ["X,Y,Z,i,"], ",", 4).columns == {"x": 0, "y": 1, "z": 2, "intensity": 3}
+
+
+def test_two_pairs_of_horizontal_coordinates_are_asked_for():
+    names = "X;Y;Z;Easting;Northing;Height\n"
+    with pytest.raises(InputError, match="has the coordinates X, Y and Easting, Northing; rename"):
+        read_preamble(Path("list.csv"), [names], ";", 6)
+    assert read_preamble(Path("list.csv"), ["X;Y;Z;Height\n"], ";", 4).columns["z"] == 2

@@ -49,6 +49,8 @@ def test_a_name_without_its_unit_is_the_name():
     ("line", "unit"),
     [
         ("# units: mm", "mm"),
+        ("Export in mm", "mm"),
+        ("Exportiert in cm", "cm"),
         ("// Einheit = cm", "cm"),
         ("# Unité : m", "m"),
         ("# Units: US survey feet", "feet"),

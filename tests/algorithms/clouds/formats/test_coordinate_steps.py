@@ -4,7 +4,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.formats.coordinate_steps import height_warning, step_warning, unit_warning
+from ichnograph.algorithms.clouds.formats.coordinate_steps import (
+    coordinate_warnings,
+    height_warning,
+    rounding_warning,
+    step_warning,
+    unit_warning,
+)
 
 PATH = Path("scan.ply")
 NATIONAL = np.array([412345.0, 5812345.0, 71.0])
@@ -61,3 +67,23 @@ def test_a_cloud_higher_than_any_building_may_be_in_millimetres():
     assert height_warning(PATH, heights) == ()
     # A single stray point is not the height of the cloud.
     assert height_warning(PATH, np.append(heights, 5000)) == ()
+
+
+@pytest.mark.parametrize("step", [0.01, 0.1, 1.0, 100.0])
+def test_coordinates_that_a_spreadsheet_rounded_are_said(step):
+    rounded = np.round((100 * points() + NATIONAL) / step) * step
+    (warning,) = rounding_warning(PATH, rounded)
+    assert f"scan.ply are rounded to {step:g} m in x, {step:g} m in y, {step:g} m in z;" in warning
+
+
+def test_millimetres_and_equal_heights_are_not_rounded():
+    assert rounding_warning(PATH, points(3) + NATIONAL) == ()
+    assert rounding_warning(PATH, np.round(1000 * points()), (1e-3, 1e-3, 1e-3)) == ()
+    assert rounding_warning(PATH, points(3) * [1, 1, 0]) == ()
+
+
+def test_points_at_zero_are_said_where_others_are_elsewhere():
+    lost = points()
+    lost[:30] = 0
+    assert "10.0% of the points of scan.ply are at 0, 0, 0" in coordinate_warnings(PATH, lost)[0]
+    assert coordinate_warnings(PATH, points()) == ()

@@ -1,5 +1,7 @@
 """Damaged LAS files are refused by name, whatever the damage."""
 
+import struct
+
 import numpy as np
 import pytest
 from ichnograph.algorithms.clouds.formats.las_reader import (
@@ -9,6 +11,7 @@ from ichnograph.algorithms.clouds.formats.las_reader import (
     open_reader,
     read_records,
     seek,
+    surplus_points,
 )
 from ichnograph.algorithms.errors import InputError
 from ichnograph.tests.algorithms.clouds.sample_files import las_records, table_of, write_las
@@ -90,3 +93,17 @@ def test_a_file_without_points_is_refused(tmp_path, name):
     path = write_las(tmp_path / name, *las_records(0))
     with pytest.raises(InputError, match="holds no points"):
         read(path)
+
+
+def test_points_in_the_chunks_of_a_laz_that_its_header_does_not_announce_are_said(tmp_path):
+    newer = write_las(tmp_path / "newer.laz", *las_records(300, 6))
+    older = write_las(tmp_path / "older.laz", *las_records(50_300))
+    assert surplus_points(newer) == surplus_points(older) == ()
+    for path, position, code, count in ((newer, 247, "<Q", 280), (older, 107, "<I", 49_000)):
+        data = bytearray(path.read_bytes())
+        struct.pack_into(code, data, position, count)
+        path.write_bytes(data)
+
+    assert "announces 280 points, but 20 more follow" in surplus_points(newer)[0]
+    # How many the last of the older chunks holds is not written anywhere.
+    assert "announces 49000 points, but 1001 more follow" in surplus_points(older)[0]

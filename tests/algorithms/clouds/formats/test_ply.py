@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.formats.ply import PlySource
+from ichnograph.algorithms.clouds.formats.ply import PlySource, _sample
+from ichnograph.algorithms.clouds.formats.ply_header import read_layout
+from ichnograph.algorithms.clouds.settings import ReadingSettings
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 from ichnograph.tests.algorithms.clouds.sample_files import write_ply
@@ -243,3 +245,24 @@ def test_faces_behind_the_vertices_are_no_points(tmp_path):
     path.write_bytes(path.read_bytes() + b"3 0 1 2\n")
 
     assert PlySource.open(path).warnings == ()
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+def test_a_large_file_is_examined_by_points_from_all_over_it(tmp_path, encoding):
+    xyz = np.random.default_rng(0).random((1200, 3))
+    xyz[600:] += 100
+    camera = "element camera 2\nproperty uchar n\n" if encoding == "ascii" else ""
+    path = write_ply(tmp_path / "a.ply", xyz, encoding, before=camera)
+    path.write_bytes(
+        path.read_bytes().replace(b"end_header\n", b"end_header\n" + (b"1\n2\n" if camera else b""))
+    )
+    few = ReadingSettings(whole_points=100, runs=4, run_points=10)
+    sample = _sample(path, read_layout(path), few)
+
+    assert len(np.unique(sample["x"])) == 40
+    np.testing.assert_allclose(read(path)[0], xyz, rtol=1e-12)
+
+
+def test_a_shift_in_a_remark_is_said(tmp_path):
+    path = write_ply(tmp_path / "a.ply", XYZ, before="obj_info shift 412345.6 5812345.7 0\n")
+    assert "says 'shift 412345.6 5812345.7 0', which is not applied" in PlySource.open(path).warnings[0]

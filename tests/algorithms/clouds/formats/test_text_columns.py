@@ -156,3 +156,33 @@ def test_rows_that_begin_behind_empty_cells_are_asked_for():
 def test_a_grid_of_whole_metres_with_reflectance_and_deviation_is_read():
     grid = [f"{500 + n // 5} {100 + n % 5} {203 + n % 3}.41 -12.{n}5 4.{n}5" for n in range(20)]
     assert by_count(*grid)[0].xyz == (0, 1, 2)
+
+
+RANDOM = np.random.default_rng(0).integers(0, 256, 60)
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        pytest.param(lambda n: f"{n + 1}", id="number of the point"),
+        pytest.param(lambda n: f"{300_000 + n / 100}", id="time"),
+        pytest.param(lambda n: f"{n // 20}", id="scan"),
+        pytest.param(lambda n: "255", id="opacity"),
+    ],
+)
+@pytest.mark.parametrize("colour", ["", "{0} {1} {2} "])
+def test_what_never_falls_along_a_file_is_no_intensity(more, colour):
+    rows = [
+        f"{n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 {colour.format(*RANDOM[n : n + 3])}{more(n)}"
+        for n in range(50)
+    ]
+    columns, (warning,) = by_count(*rows)
+    assert columns.intensity is None
+    assert columns.rgb == ((3, 4, 5) if colour else None)
+    assert f"Column {7 if colour else 4} of scan.txt has no name and counts the points" in warning
+
+
+def test_a_dark_beginning_is_no_reason_to_leave_intensity_out():
+    rows = [f"{n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 0".split() for n in range(50)]
+    elsewhere = np.column_stack([np.ones((60, 3)), RANDOM])
+    assert columns_by_count(SCAN, rows, np.array(rows, float), elsewhere=elsewhere)[0].intensity == 3

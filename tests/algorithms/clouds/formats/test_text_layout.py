@@ -70,3 +70,20 @@ def test_units_other_than_metres_are_said(layout):
 def test_what_is_not_a_text_cloud_is_refused(layout, content, problem):
     with pytest.raises(InputError, match=problem):
         layout(content)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\nvn 0.0 0.6 0.8\nvn 0.0 0.6 0.8\n", id="OBJ with normals"),
+        pytest.param("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\nv 4 5 6\nf 1 2 3\n", id="OBJ with triangles"),
+        pytest.param("OFF\n3 1 0\n1.5 2.5 3.5\n2.5 3.5 4.5\n3 4 5\n", id="OFF"),
+    ],
+)
+def test_a_model_of_surfaces_is_refused(tmp_path, text):
+    path = tmp_path / "model.txt"
+    path.write_text(text)
+    with pytest.raises(InputError, match="is a model of surfaces, not a point cloud"):
+        read_layout(path)
+    path.write_text("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\n")
+    assert read_layout(path).columns.xyz == (1, 2, 3)

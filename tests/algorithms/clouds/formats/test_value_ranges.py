@@ -64,3 +64,7 @@ def test_values_are_rounded_and_clipped():
     values = to_uint16(np.array([-5.0, 0.4, 0.6, 65534.7, 70000.0, np.nan]))
     np.testing.assert_array_equal(values, [0, 0, 1, 65535, 65535, 0])
     assert values.dtype == np.uint16
+
+
+def test_eight_bits_are_not_the_range_of_pts():
+    assert intensity_scale(np.array([0.0, 7.0, 255.0]), signed=True) == (0.0, 1.0)

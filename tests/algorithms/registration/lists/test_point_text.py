@@ -259,3 +259,11 @@ def test_rows_that_begin_as_remarks_do_are_left_out_and_said(tmp_path, row):
     assert points.names == ("T1", "T2")
     assert "1 rows of" in points.warnings[0]
     assert "the first in line 1, begin as remarks do" in points.warnings[0]
+
+
+def test_heights_that_are_all_0_are_said(tmp_path):
+    path = tmp_path / "list.txt"
+    path.write_text("A 1.5 2.5 0\nB 4.5 3.5 0.000\n")
+    assert any("All heights in" in warning for warning in read_point_list(path).warnings)
+    path.write_text("A 1.5 2.5 0\nB 4.5 3.5 0.5\n")
+    assert not any("All heights in" in warning for warning in read_point_list(path).warnings)

@@ -28,6 +28,11 @@ def test_triangles_that_are_short_beside_the_noise_have_no_shape():
     assert not list(SimilarTriangles(control_points(tiny)).seeds(tiny[:3], 2, COUNT))
 
 
+def test_targets_in_one_place_have_no_shape():
+    found = SimilarTriangles(control_points(HALL)).seeds(HALL[[6, 6, 4]], 2, COUNT)
+    assert not any(len(seeds) for seeds in found)
+
+
 def named(rows):
     allowed = np.zeros((len(rows), COUNT), bool)
     for number, row in enumerate(rows):
