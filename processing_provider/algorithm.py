@@ -34,6 +34,7 @@ from .manual import page_url
 from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
 from .parameters.parameter import Parameter
 from .projections import projections_kept
+from .skipped_outputs import with_skipped
 from .styles import MARK, show_when_loaded, style_of
 
 ICONS = Path(__file__).parent / "icons"
@@ -145,6 +146,9 @@ class Algorithm(QgsProcessingAlgorithm):
     def canExecute(self) -> tuple[bool, str]:
         missing = lacking(self.needs)
         return not missing, translated(explain_missing(missing)) if missing else ""
+
+    def preprocessParameters(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        return with_skipped(self, parameters)
 
     def checkParameterValues(
         self, parameters: dict[str, Any], context: QgsProcessingContext

@@ -3946,6 +3946,7 @@
     <message>
         <location filename="../../algorithms/site_plan/output/templates/site_plan.html"/>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -6193,6 +6194,7 @@
     </message>
     <message>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Outputs</source>
         <translation>Ausgaben</translation>
     </message>
@@ -6254,6 +6256,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z.</source>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder name x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>One point cloud for each scan, in the scanner&#x27;s own frame.</source>
+        <translation>Eine Punktwolke je Scan, im eigenen System des Scanners.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Such as EPSG:25833. Without it, the plan has no reference system.</source>
+        <translation>Zum Beispiel EPSG:25833. Ohne diese Angabe hat der Plan kein Bezugssystem.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Targets picked in the scans: text files with the names of the scans. In a scan without a list, black and white targets and spheres are found.</source>
+        <translation>In den Scans gemessene Zielmarken: Textdateien mit den Namen der Scans. In einem Scan ohne Liste werden Schwarz-Weiß-Zielmarken und Kugeln gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Models</source>
@@ -6283,6 +6305,11 @@
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <source>The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.</source>
         <translation>Die Details einer Fassade werden gemessen, gezeichnet, aufgelistet und auf einem Blatt im Maßstab 1:50 dargestellt.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
+        <source>One or more point clouds of one facade, with colours or intensities.</source>
+        <translation>Eine oder mehrere Punktwolken einer Fassade, mit Farben oder Intensitäten.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -6318,6 +6345,16 @@
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Two storeys of a building are drawn from the same scans, each between the slabs around it.</source>
         <translation>Zwei Geschosse eines Gebäudes werden aus denselben Scans gezeichnet, jedes zwischen den Geschossdecken darunter und darüber.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>One or more point clouds of one building, in one reference system.</source>
+        <translation>Eine oder mehrere Punktwolken eines Gebäudes, in einem Bezugssystem.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>In the coordinates of the scans: between the ceiling below the slab and the floor above it.</source>
+        <translation>In den Koordinaten der Scans: zwischen der Raumdecke unter der Geschossdecke und dem Fußboden darüber.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>

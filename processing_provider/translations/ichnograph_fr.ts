@@ -3946,6 +3946,7 @@
     <message>
         <location filename="../../algorithms/site_plan/output/templates/site_plan.html"/>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Parameters</source>
         <translation>Paramètres</translation>
     </message>
@@ -6193,6 +6194,7 @@
     </message>
     <message>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Outputs</source>
         <translation>Sorties</translation>
     </message>
@@ -6254,6 +6256,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z.</source>
+        <translation>Points levés, en mètres : un fichier texte avec x y z ou nom x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>One point cloud for each scan, in the scanner&#x27;s own frame.</source>
+        <translation>Un nuage de points par scan, dans le repère du scanner.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Such as EPSG:25833. Without it, the plan has no reference system.</source>
+        <translation>Par exemple EPSG:25833. Sans lui, le plan n&#x27;a pas de système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Targets picked in the scans: text files with the names of the scans. In a scan without a list, black and white targets and spheres are found.</source>
+        <translation>Cibles pointées dans les scans : fichiers texte aux noms des scans. Dans un scan sans liste, les cibles noir et blanc et les sphères sont détectées.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Models</source>
@@ -6283,6 +6305,11 @@
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <source>The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.</source>
         <translation>Les détails d&#x27;une façade sont mesurés, dessinés, listés, et mis en page sur une feuille à 1:50.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
+        <source>One or more point clouds of one facade, with colours or intensities.</source>
+        <translation>Un ou plusieurs nuages de points d&#x27;une façade, avec couleurs ou intensités.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -6318,6 +6345,16 @@
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Two storeys of a building are drawn from the same scans, each between the slabs around it.</source>
         <translation>Deux étages d&#x27;un bâtiment sont dessinés à partir des mêmes scans, chacun entre les dalles qui l&#x27;encadrent.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>One or more point clouds of one building, in one reference system.</source>
+        <translation>Un ou plusieurs nuages de points d&#x27;un bâtiment, dans un seul système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>In the coordinates of the scans: between the ceiling below the slab and the floor above it.</source>
+        <translation>Dans les coordonnées des scans : entre le plafond sous la dalle et le sol au-dessus.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
