@@ -11,7 +11,9 @@ Entry = tuple[str, str]
 """The label of a parameter, and what it does."""
 
 
-def help_of(about: str, inputs: Sequence[Parameter], outputs: Sequence[Parameter]) -> str:
+def help_of(
+    about: str, inputs: Sequence[Parameter], outputs: Sequence[Parameter], labels: Mapping[str, str]
+) -> str:
     """Return the help of an algorithm; QGIS makes a paragraph of each line.
 
     Parameters
@@ -19,15 +21,15 @@ def help_of(about: str, inputs: Sequence[Parameter], outputs: Sequence[Parameter
     about : str
         What the algorithm does.
     inputs, outputs : sequence of Parameter
+    labels : dict of str to str
+        What a person reads in place of each id in the texts.
     """
     advanced = [item for item in inputs if getattr(item, "advanced", False)]
     basic = [item for item in inputs if item not in advanced]
     sections = {"Parameters": basic, "Advanced parameters": advanced, "Outputs": outputs}
     page = help_page(translated(about), {title: map(_entry, items) for title, items in sections.items()})
-    if not on_desktop():
-        return page
     # Who writes commands knows the ids; in a dialog, only the labels are seen.
-    return with_labels(page, {item.name: translated(item.label) for item in (*inputs, *outputs)})
+    return with_labels(page, labels) if on_desktop() else page
 
 
 def help_page(about: str, sections: Mapping[str, Iterable[Entry]]) -> str:

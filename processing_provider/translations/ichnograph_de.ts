@@ -5069,8 +5069,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
-        <translation>Findet die Hauptebene der Fassade, Details in der Ebene über Farbe und Intensität, Öffnungen und Rücksprünge über die Punkte hinter der Wand, Vorsprünge über die Ebenen davor. Ein Umriss ist das Mittel beider Seiten eines Randes, mit Standardabweichungen. INPUT genügt; ohne Farbe werden nur Öffnungen, Rücksprünge und Vorsprünge gefunden (Aitelkadi, Tahiri, Simonetto, Sebari und Boulaassal 2014).</translation>
+        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. The clouds are enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
+        <translation>Findet die Hauptebene der Fassade, Details in der Ebene über Farbe und Intensität, Öffnungen und Rücksprünge über die Punkte hinter der Wand, Vorsprünge über die Ebenen davor. Ein Umriss ist das Mittel beider Seiten eines Randes, mit Standardabweichungen. Die Punktwolken genügen; ohne Farbe werden nur Öffnungen, Rücksprünge und Vorsprünge gefunden (Aitelkadi, Tahiri, Simonetto, Sebari und Boulaassal 2014).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -5640,8 +5640,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
-        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only INPUT is needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
-        <translation>Die Punktwolken werden ausgedünnt, ein Dichtebild wird berechnet und die Wände werden daraus extrahiert. Nur INPUT ist nötig: Vorgabewerte, die von den Daten abhängen, werden abgeleitet und ins Protokoll geschrieben (Mueller, Kohoutek und Theiler 2012).</translation>
+        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only the clouds are needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
+        <translation>Die Punktwolken werden ausgedünnt, ein Dichtebild wird berechnet und die Wände werden daraus extrahiert. Nur die Punktwolken sind nötig: Vorgabewerte, die von den Daten abhängen, werden abgeleitet und ins Protokoll geschrieben (Mueller, Kohoutek und Theiler 2012).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
@@ -6257,7 +6257,7 @@
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z.</source>
-        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder name x y z.</translation>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder Name x y z.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
@@ -7045,7 +7045,7 @@
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
-        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder name x y z, oder ein Punktlayer mit Höhen.</translation>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder Name x y z, oder ein Punktlayer mit Höhen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

@@ -5069,8 +5069,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
-        <translation>Trouve le plan principal de la façade ; les détails coplanaires par la couleur et l&#x27;intensité ; les baies et renfoncements par les points derrière le mur ; les saillies par les plans en avant de lui. Un contour est la moyenne des deux côtés d&#x27;un bord, avec des écarts-types. INPUT suffit ; sans couleur, seuls les baies, renfoncements et saillies sont trouvés (Aitelkadi, Tahiri, Simonetto, Sebari et Boulaassal 2014).</translation>
+        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. The clouds are enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
+        <translation>Trouve le plan principal de la façade ; les détails coplanaires par la couleur et l&#x27;intensité ; les baies et renfoncements par les points derrière le mur ; les saillies par les plans en avant de lui. Un contour est la moyenne des deux côtés d&#x27;un bord, avec des écarts-types. Les nuages suffisent ; sans couleur, seuls les baies, renfoncements et saillies sont trouvés (Aitelkadi, Tahiri, Simonetto, Sebari et Boulaassal 2014).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -5640,8 +5640,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
-        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only INPUT is needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
-        <translation>Les nuages sont éclaircis, une image de densité est calculée, et les murs en sont extraits. Seul INPUT est nécessaire : les valeurs par défaut qui dépendent des données sont déduites et écrites dans le journal (Mueller, Kohoutek et Theiler 2012).</translation>
+        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only the clouds are needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
+        <translation>Les nuages sont éclaircis, une image de densité est calculée, et les murs en sont extraits. Seuls les nuages sont nécessaires : les valeurs par défaut qui dépendent des données sont déduites et écrites dans le journal (Mueller, Kohoutek et Theiler 2012).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
@@ -7045,7 +7045,7 @@
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
-        <translation>Points levés en mètres : un fichier texte avec x y z ou name x y z, ou une couche de points avec des altitudes.</translation>
+        <translation>Points levés en mètres : un fichier texte avec x y z ou nom x y z, ou une couche de points avec des altitudes.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
