@@ -202,6 +202,14 @@ example: setup  ## Simulate the example data that the plugin ships
 	$(RUN) -m ichnograph.tests.scenes.facades medina processing_provider/example/facade.laz --spacing 0.03 \
 		--move 12 412345.6 5812345.7 71.3 --crs EPSG:25833
 
+.PHONY: release
+release: setup .tools/installed  ## Print the size of the zip, what scans find in it, and helps and translations that are missing
+	$(RUN) -m ichnograph.scripts.release
+
+.PHONY: sheet
+sheet: setup  ## Print how far the lengths on the printed sheet are off
+	$(RUN) -m ichnograph.benchmarks.sheet
+
 .PHONY: docs tutorial
 docs: setup .tools/site  ## Make the site of the documentation in build/site/html, and check its links
 	$(RUN) -m ichnograph.scripts.site.pages build/site/pages

@@ -34,6 +34,7 @@ from .manual import page_url
 from .parameters.destinations import Destination, FolderWriters, Writer, check_outputs
 from .parameters.parameter import Parameter
 from .projections import projections_kept
+from .skipped_outputs import with_skipped
 from .styles import MARK, show_when_loaded, style_of
 
 ICONS = Path(__file__).parent / "icons"
@@ -125,7 +126,7 @@ class Algorithm(QgsProcessingAlgorithm):
         return translated(self.summary)
 
     def shortHelpString(self) -> str:
-        return help_of(self.about, self.inputs, self.destinations)
+        return help_of(self.about, self.inputs, self.destinations, self._named())
 
     def helpUrl(self) -> str:
         return page_url(self.key)
@@ -145,6 +146,9 @@ class Algorithm(QgsProcessingAlgorithm):
     def canExecute(self) -> tuple[bool, str]:
         missing = lacking(self.needs)
         return not missing, translated(explain_missing(missing)) if missing else ""
+
+    def preprocessParameters(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        return with_skipped(self, parameters)
 
     def checkParameterValues(
         self, parameters: dict[str, Any], context: QgsProcessingContext
@@ -167,7 +171,7 @@ class Algorithm(QgsProcessingAlgorithm):
             missing = lacking(self.needs)
             if missing:
                 raise QgsProcessingException(self._said(explain_missing(missing)))
-            log = Log(feedback, self._labels())
+            log = Log(feedback, self._named())
             self.project = context.project() or QgsProject.instance()
             log.warn(self._unknown(parameters))
             values = self._values(parameters, context)
@@ -221,10 +225,16 @@ class Algorithm(QgsProcessingAlgorithm):
 
     def _said(self, sentence: str) -> str:
         """Return a sentence of the core as the user reads it."""
-        return with_labels(translated(sentence), self._labels())
+        return with_labels(translated(sentence), self._named())
 
     def _labels(self) -> dict[str, str]:
         return {item.name: translated(item.label) for item in (*self.inputs, *self.destinations)}
+
+    def _named(self) -> dict[str, str]:
+        """Return what a person reads in place of the ids of parameters and of algorithms."""
+        others = self.provider().algorithms() if self.provider() else []
+        titles = {item.name(): item.displayName() for item in others if isinstance(item, Algorithm)}
+        return {**titles, **self._labels()}
 
     def _values(self, parameters: dict[str, Any], context: QgsProcessingContext) -> dict[str, Any]:
         return {parameter.name: parameter.value(self, parameters, context) for parameter in self.inputs}

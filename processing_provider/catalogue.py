@@ -18,8 +18,8 @@ WORD = re.compile(r"[^\W\d_]+")
 SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
 """Where a text without a pattern of its own is divided into texts that may have one."""
 
-EDGES = re.compile(r"^[\W\d_]+|[\W\d_]+$")
-"""What stands before and after a text."""
+EDGES = (re.compile(r"^[\W_]+|[\W_]+$"), re.compile(r"^[\W\d_]+|[\W\d_]+$"))
+"""What stands before and after a text, which may begin or end with a number that belongs to it."""
 
 DEEPEST = 4
 """Levels of patterns within patterns; the core has three."""
@@ -78,8 +78,7 @@ class Catalogue:
 
     def _divided(self, text: str, depth: int) -> Iterator[Translation]:
         """Yield translations of the text in parts."""
-        inner = EDGES.sub("", text)
-        if inner != text:
+        for inner in {edges.sub("", text) for edges in EDGES} - {text}:
             before, _, after = text.partition(inner)
             found = self._cached(inner, depth)
             yield Translation(before + found.text + after, found.known)

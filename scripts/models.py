@@ -12,6 +12,8 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ["QT_HASH_SEED"] = "0"
 
 import ichnograph
+from ichnograph.processing_provider.parameters.files import CLOUD_FILTER
+from ichnograph.processing_provider.parameters.point_lists import TARGET_FILTER
 from qgis.core import (
     QgsApplication,
     QgsProcessing,
@@ -53,12 +55,28 @@ def _site_plan() -> QgsProcessingModelAlgorithm:
         "Targets are found in the scans, or read from lists. Scans are registered by them, transformed to "
         "the control points, and drawn as a site plan.",
         [
-            _files(
-                "TARGETS", "Targets, one list for each scan; found in scans without a list", optional=True
+            _helped(
+                QgsProcessingParameterFile("CONTROL", "Control points"),
+                "Surveyed points in metres: a text file with x y z or name x y z.",
             ),
-            QgsProcessingParameterFile("CONTROL", "Control points"),
-            _files("SCANS", "Scans; a scan has the name of its list"),
-            QgsProcessingParameterCrs("SYSTEM", "Reference system of the control points", optional=True),
+            _helped(
+                _files("SCANS", "Scans; a scan has the name of its list", CLOUD_FILTER),
+                "One point cloud for each scan, in the scanner's own frame.",
+            ),
+            _helped(
+                _files(
+                    "TARGETS",
+                    "Targets, one list for each scan; found in scans without a list",
+                    TARGET_FILTER,
+                    optional=True,
+                ),
+                "Targets picked in the scans: text files with the names of the scans. In a scan without a "
+                "list, black and white targets and spheres are found.",
+            ),
+            _helped(
+                QgsProcessingParameterCrs("SYSTEM", "Reference system of the control points", optional=True),
+                "Such as EPSG:25833. Without it, the plan has no reference system.",
+            ),
         ],
         {
             "registerscans": {"CONTROL": "CONTROL", "TARGETS": ["TARGETS", "SCANS"], "CRS": "SYSTEM"},
@@ -76,7 +94,12 @@ def _facade() -> QgsProcessingModelAlgorithm:
     return _model(
         "Facade to drawing",
         "The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.",
-        [_files("SCANS", "Scans of the facade")],
+        [
+            _helped(
+                _files("SCANS", "Scans of the facade", CLOUD_FILTER),
+                "One or more point clouds of one facade, with colours or intensities.",
+            )
+        ],
         {
             "facadedetails": {"INPUT": "SCANS"},
             "planlayout": {"WALLS": ("facadedetails", "ELEVATION"), "KIND": 1, "SCALE": 50, "SHEET": 0},
@@ -100,11 +123,23 @@ def _storeys() -> QgsProcessingModelAlgorithm:
         "SLAB_2": "Height within the slab between the storeys (m)",
         "SLAB_3": "Height within the slab above the upper storey (m)",
     }
-    numbers = [QgsProcessingParameterNumber(name, label, number) for name, label in heights.items()]
+    numbers = [
+        _helped(
+            QgsProcessingParameterNumber(name, label, number),
+            "In the coordinates of the scans: between the ceiling below the slab and the floor above it.",
+        )
+        for name, label in heights.items()
+    ]
     return _model(
         "Storeys one by one",
         "Two storeys of a building are drawn from the same scans, each between the slabs around it.",
-        [_files("SCANS", "Scans"), *numbers],
+        [
+            _helped(
+                _files("SCANS", "Scans", CLOUD_FILTER),
+                "One or more point clouds of one building, in one reference system.",
+            ),
+            *numbers,
+        ],
         {
             "siteplan:lower": {"INPUT": "SCANS", "ZMIN": "SLAB_1", "ZMAX": "SLAB_2"},
             "siteplan:upper": {"INPUT": "SCANS", "ZMIN": "SLAB_2", "ZMAX": "SLAB_3"},
@@ -125,8 +160,10 @@ def _model(
 ) -> QgsProcessingModelAlgorithm:
     """Return a model of `steps`, which are algorithms with a name after a colon if one is used twice."""
     model = QgsProcessingModelAlgorithm(title, GROUP)
-    model.setHelpContent({"ALG_DESC": about})
+    # QGIS reads the helps of inputs from here, and not from their definitions.
+    model.setHelpContent({"ALG_DESC": about, **{item.name(): item.help() for item in inputs}})
     names = {item.name() for item in inputs}
+    model.setParameterOrder([item.name() for item in inputs])
     for row, item in enumerate(inputs):
         shown = QgsProcessingModelParameter(item.name())
         shown.setPosition(QPointF(150, 80 + 100 * row))
@@ -167,9 +204,19 @@ def _source(value: Any, names: set[str]) -> QgsProcessingModelChildParameterSour
     return kinds.fromModelParameter(value) if value in names else kinds.fromStaticValue(value)
 
 
-def _files(name: str, label: str, optional: bool = False) -> QgsProcessingParameterMultipleLayers:
+def _files(
+    name: str, label: str, filters: str, optional: bool = False
+) -> QgsProcessingParameterMultipleLayers:
     files = QgsProcessing.SourceType.TypeFile
-    return QgsProcessingParameterMultipleLayers(name, label, files, optional=optional)
+    definition = QgsProcessingParameterMultipleLayers(name, label, files, optional=optional)
+    # QGIS stores these, and no class of ours.
+    definition.setMetadata({"filters": filters})
+    return definition
+
+
+def _helped(definition: QgsProcessingParameterDefinition, text: str) -> QgsProcessingParameterDefinition:
+    definition.setHelp(text)
+    return definition
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ MARKUP = re.compile(r'[<>\\{]|^[.#$/]|^[\w-]+:[\w-]|\w\.(html|svg|css)$|="')
 ATTRIBUTES = {
     ".qml": re.compile(r' label="([^"]*)"'),
     ".model3": re.compile(
-        r'name="(?:ALG_DESC|component_description|description|model_group|model_name)" value="([^"]*)"'
+        r'name="(?:[A-Z][A-Z_\d]*|component_description|description|model_group|model_name)" value="([^"]*)"'
     ),
 }
 """Of files of QGIS, those that it shows."""

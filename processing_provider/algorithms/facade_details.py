@@ -30,8 +30,9 @@ class FacadeDetailsAlgorithm(Algorithm):
     about = (
         "Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses "
         "by the points behind the wall; projections by the planes in front of it. An outline is the mean of "
-        "both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, "
-        "recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014)."
+        "both sides of a border, with standard deviations. The clouds are enough; without colour, only "
+        "openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal "
+        "2014)."
     )
     words = (
         "facade",

@@ -65,7 +65,7 @@ class SitePlanAlgorithm(Algorithm):
     summary = "Turns terrestrial laser scans into a site plan: the walls as polygons."
     about = (
         "The clouds are thinned, a density image is computed, and the walls are extracted from it. Only "
-        "INPUT is needed: defaults that depend on the data are derived and written to the log "
+        "the clouds are needed: defaults that depend on the data are derived and written to the log "
         "(Mueller, Kohoutek and Theiler 2012)."
     )
     words = (

@@ -29,7 +29,7 @@ from qgis.PyQt.QtGui import QFont
 
 from ..language import translated
 from ..layers import is_on_earth
-from .sheet import Box, Sheet, grid_interval
+from .sheet import Box, Sheet, grid_interval, scale_bar_segment
 
 NORTH = str(Path(__file__).parent / "north.svg")
 
@@ -155,7 +155,7 @@ def _scale_bar(layout: QgsPrintLayout, sheet: Sheet, contents: Contents, shown: 
     bar.setUnitLabel("m")
     bar.setNumberOfSegments(2)
     bar.setNumberOfSegmentsLeft(0)
-    bar.setUnitsPerSegment(grid_interval(contents.scale) / 5)
+    bar.setUnitsPerSegment(scale_bar_segment(contents.scale))
     bar.setHeight(2)
     bar.setTextFormat(QgsTextFormat.fromQFont(_font(8)))
     _place(layout, bar, sheet.bar)

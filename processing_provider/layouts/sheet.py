@@ -119,3 +119,8 @@ def grid_interval(scale: float) -> float:
         if candidate <= wanted:
             step = candidate
     return step
+
+
+def scale_bar_segment(scale: float) -> float:
+    """Return the length of a segment of the scale bar in metres: about 20 mm on paper."""
+    return grid_interval(scale) / 5

@@ -90,6 +90,14 @@ class PointListDefinition(_FilesDefinition, QgsProcessingParameterVectorLayer):
         return _copy_of(self, PointListDefinition(self.name(), "", self.filters))
 
 
+def list_of_files(stored: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
+    """Return a copy of an input of a model; if its metadata have filters, it is a `FileListDefinition`."""
+    filters = stored.metadata().get("filters")
+    if not filters:
+        return stored.clone()
+    return _copy_of(stored, FileListDefinition(stored.name(), "", stored.layerType(), filters))
+
+
 def _copy_of(
     definition: QgsProcessingParameterDefinition, copy: QgsProcessingParameterDefinition
 ) -> QgsProcessingParameterDefinition:

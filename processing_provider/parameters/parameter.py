@@ -99,7 +99,7 @@ class Number(Parameter):
 
     @property
     def explanation(self) -> str:
-        default = "not set" if self.default is None else f"{self.default:g}"
+        default = "not set" if self.default is None else _written(self.default)
         return f"{self.help} Default {default}; {self._limits()}."
 
     def _definition(self) -> QgsProcessingParameterNumber:
@@ -134,8 +134,8 @@ class Number(Parameter):
 
     def _limits(self) -> str:
         if self.maximum == sys.float_info.max:
-            return f"at least {self.minimum:g}"
-        return f"from {self.minimum:g} to {self.maximum:g}"
+            return f"at least {_written(self.minimum)}"
+        return f"from {_written(self.minimum)} to {_written(self.maximum)}"
 
 
 @dataclass(frozen=True)
@@ -292,3 +292,8 @@ def marked(definition: QgsProcessingParameterDefinition) -> QgsProcessingParamet
     advanced = QgsProcessingParameterDefinition.Flag.FlagAdvanced
     definition.setFlags(definition.flags() | advanced)
     return definition
+
+
+def _written(number: float) -> str:
+    """Return a number as people write it, without an exponent."""
+    return f"{number:.9f}".rstrip("0").rstrip(".")

@@ -3992,6 +3992,7 @@
     <message>
         <location filename="../../algorithms/site_plan/output/templates/site_plan.html"/>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -5139,8 +5140,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
-        <translation>Findet die Hauptebene der Fassade, Details in der Ebene über Farbe und Intensität, Öffnungen und Rücksprünge über die Punkte hinter der Wand, Vorsprünge über die Ebenen davor. Ein Umriss ist das Mittel beider Seiten eines Randes, mit Standardabweichungen. INPUT genügt; ohne Farbe werden nur Öffnungen, Rücksprünge und Vorsprünge gefunden (Aitelkadi, Tahiri, Simonetto, Sebari und Boulaassal 2014).</translation>
+        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. The clouds are enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
+        <translation>Findet die Hauptebene der Fassade, Details in der Ebene über Farbe und Intensität, Öffnungen und Rücksprünge über die Punkte hinter der Wand, Vorsprünge über die Ebenen davor. Ein Umriss ist das Mittel beider Seiten eines Randes, mit Standardabweichungen. Die Punktwolken genügen; ohne Farbe werden nur Öffnungen, Rücksprünge und Vorsprünge gefunden (Aitelkadi, Tahiri, Simonetto, Sebari und Boulaassal 2014).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -5710,8 +5711,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
-        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only INPUT is needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
-        <translation>Die Punktwolken werden ausgedünnt, ein Dichtebild wird berechnet und die Wände werden daraus extrahiert. Nur INPUT ist nötig: Vorgabewerte, die von den Daten abhängen, werden abgeleitet und ins Protokoll geschrieben (Mueller, Kohoutek und Theiler 2012).</translation>
+        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only the clouds are needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
+        <translation>Die Punktwolken werden ausgedünnt, ein Dichtebild wird berechnet und die Wände werden daraus extrahiert. Nur die Punktwolken sind nötig: Vorgabewerte, die von den Daten abhängen, werden abgeleitet und ins Protokoll geschrieben (Mueller, Kohoutek und Theiler 2012).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
@@ -6264,6 +6265,7 @@
     </message>
     <message>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Outputs</source>
         <translation>Ausgaben</translation>
     </message>
@@ -6325,6 +6327,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z.</source>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder Name x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>One point cloud for each scan, in the scanner&#x27;s own frame.</source>
+        <translation>Eine Punktwolke je Scan, im eigenen System des Scanners.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Such as EPSG:25833. Without it, the plan has no reference system.</source>
+        <translation>Zum Beispiel EPSG:25833. Ohne diese Angabe hat der Plan kein Bezugssystem.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Targets picked in the scans: text files with the names of the scans. In a scan without a list, black and white targets and spheres are found.</source>
+        <translation>In den Scans gemessene Zielmarken: Textdateien mit den Namen der Scans. In einem Scan ohne Liste werden Schwarz-Weiß-Zielmarken und Kugeln gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Models</source>
@@ -6354,6 +6376,11 @@
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <source>The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.</source>
         <translation>Die Details einer Fassade werden gemessen, gezeichnet, aufgelistet und auf einem Blatt im Maßstab 1:50 dargestellt.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
+        <source>One or more point clouds of one facade, with colours or intensities.</source>
+        <translation>Eine oder mehrere Punktwolken einer Fassade, mit Farben oder Intensitäten.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -6389,6 +6416,16 @@
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Two storeys of a building are drawn from the same scans, each between the slabs around it.</source>
         <translation>Zwei Geschosse eines Gebäudes werden aus denselben Scans gezeichnet, jedes zwischen den Geschossdecken darunter und darüber.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>One or more point clouds of one building, in one reference system.</source>
+        <translation>Eine oder mehrere Punktwolken eines Gebäudes, in einem Bezugssystem.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>In the coordinates of the scans: between the ceiling below the slab and the floor above it.</source>
+        <translation>In den Koordinaten der Scans: zwischen der Raumdecke unter der Geschossdecke und dem Fußboden darüber.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
@@ -7084,7 +7121,7 @@
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
-        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder name x y z, oder ein Punktlayer mit Höhen.</translation>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder Name x y z, oder ein Punktlayer mit Höhen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

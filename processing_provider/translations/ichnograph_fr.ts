@@ -3992,6 +3992,7 @@
     <message>
         <location filename="../../algorithms/site_plan/output/templates/site_plan.html"/>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Parameters</source>
         <translation>Paramètres</translation>
     </message>
@@ -5139,8 +5140,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
-        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. INPUT is enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
-        <translation>Trouve le plan principal de la façade ; les détails coplanaires par la couleur et l&#x27;intensité ; les baies et renfoncements par les points derrière le mur ; les saillies par les plans en avant de lui. Un contour est la moyenne des deux côtés d&#x27;un bord, avec des écarts-types. INPUT suffit ; sans couleur, seuls les baies, renfoncements et saillies sont trouvés (Aitelkadi, Tahiri, Simonetto, Sebari et Boulaassal 2014).</translation>
+        <source>Finds the main plane of the facade; coplanar details by colour and intensity; openings and recesses by the points behind the wall; projections by the planes in front of it. An outline is the mean of both sides of a border, with standard deviations. The clouds are enough; without colour, only openings, recesses and projections are found (Aitelkadi, Tahiri, Simonetto, Sebari and Boulaassal 2014).</source>
+        <translation>Trouve le plan principal de la façade ; les détails coplanaires par la couleur et l&#x27;intensité ; les baies et renfoncements par les points derrière le mur ; les saillies par les plans en avant de lui. Un contour est la moyenne des deux côtés d&#x27;un bord, avec des écarts-types. Les nuages suffisent ; sans couleur, seuls les baies, renfoncements et saillies sont trouvés (Aitelkadi, Tahiri, Simonetto, Sebari et Boulaassal 2014).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/facade_details.py"/>
@@ -5710,8 +5711,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
-        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only INPUT is needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
-        <translation>Les nuages sont éclaircis, une image de densité est calculée, et les murs en sont extraits. Seul INPUT est nécessaire : les valeurs par défaut qui dépendent des données sont déduites et écrites dans le journal (Mueller, Kohoutek et Theiler 2012).</translation>
+        <source>The clouds are thinned, a density image is computed, and the walls are extracted from it. Only the clouds are needed: defaults that depend on the data are derived and written to the log (Mueller, Kohoutek and Theiler 2012).</source>
+        <translation>Les nuages sont éclaircis, une image de densité est calculée, et les murs en sont extraits. Seuls les nuages sont nécessaires : les valeurs par défaut qui dépendent des données sont déduites et écrites dans le journal (Mueller, Kohoutek et Theiler 2012).</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/site_plan.py"/>
@@ -6264,6 +6265,7 @@
     </message>
     <message>
         <location filename="../../processing_provider/help.py"/>
+        <location filename="../../processing_provider/model.py"/>
         <source>Outputs</source>
         <translation>Sorties</translation>
     </message>
@@ -6325,6 +6327,26 @@
     </message>
     <message>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z.</source>
+        <translation>Points levés, en mètres : un fichier texte avec x y z ou nom x y z.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>One point cloud for each scan, in the scanner&#x27;s own frame.</source>
+        <translation>Un nuage de points par scan, dans le repère du scanner.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Such as EPSG:25833. Without it, the plan has no reference system.</source>
+        <translation>Par exemple EPSG:25833. Sans lui, le plan n&#x27;a pas de système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
+        <source>Targets picked in the scans: text files with the names of the scans. In a scan without a list, black and white targets and spheres are found.</source>
+        <translation>Cibles pointées dans les scans : fichiers texte aux noms des scans. Dans un scan sans liste, les cibles noir et blanc et les sphères sont détectées.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Models</source>
@@ -6354,6 +6376,11 @@
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
         <source>The details of a facade are measured, drawn, listed, and laid out on a sheet at 1:50.</source>
         <translation>Les détails d&#x27;une façade sont mesurés, dessinés, listés, et mis en page sur une feuille à 1:50.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
+        <source>One or more point clouds of one facade, with colours or intensities.</source>
+        <translation>Un ou plusieurs nuages de points d&#x27;une façade, avec couleurs ou intensités.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/facade_to_drawing.model3"/>
@@ -6389,6 +6416,16 @@
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
         <source>Two storeys of a building are drawn from the same scans, each between the slabs around it.</source>
         <translation>Deux étages d&#x27;un bâtiment sont dessinés à partir des mêmes scans, chacun entre les dalles qui l&#x27;encadrent.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>One or more point clouds of one building, in one reference system.</source>
+        <translation>Un ou plusieurs nuages de points d&#x27;un bâtiment, dans un seul système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
+        <source>In the coordinates of the scans: between the ceiling below the slab and the floor above it.</source>
+        <translation>Dans les coordonnées des scans : entre le plafond sous la dalle et le sol au-dessus.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/models/storeys_one_by_one.model3"/>
@@ -7084,7 +7121,7 @@
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
-        <translation>Points levés en mètres : un fichier texte avec x y z ou name x y z, ou une couche de points avec des altitudes.</translation>
+        <translation>Points levés en mètres : un fichier texte avec x y z ou nom x y z, ou une couche de points avec des altitudes.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>

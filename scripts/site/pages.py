@@ -22,7 +22,7 @@ PAGES = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "LICENS
 DIALOGS = "docs/pictures/dialogs"
 
 CONTENTS = {
-    "Begin": ("docs/index", "docs/installing", "docs/tutorial", "docs/exampledata"),
+    "Begin": ("docs/index", "docs/installing", "docs/tutorial", "docs/exampledata", "docs/models"),
     "Registration": (
         "docs/findtargets",
         "docs/registerscans",

@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -88,9 +89,13 @@ def test_the_zip_is_installed_without_an_error(seen):
     assert seen["installed"]
 
 
-def test_nothing_warns_in_the_log_or_above_the_map(seen):
-    assert said(seen, "messages", cancelled=False) == []
-    assert said(seen, "bars", cancelled=False) == []
+def test_nothing_warns_in_the_log_or_above_the_map(seen, capsys):
+    messages, bars = (said(seen, kind, cancelled=False) for kind in ("messages", "bars"))
+    with capsys.disabled():
+        sys.stdout.write(
+            f"\nMessages of severity warning or worse: {messages or 'none'}; bars: {bars or 'none'}.\n"
+        )
+    assert messages == bars == []
 
 
 def test_a_cancelled_run_says_that_it_was_cancelled_and_no_more(seen):
@@ -100,12 +105,29 @@ def test_a_cancelled_run_says_that_it_was_cancelled_and_no_more(seen):
 
 def test_every_run_ends_well_but_the_one_that_is_cancelled(seen):
     assert [run["name"] for run in seen["runs"] if not run["succeeded"]] == ["cancelled"]
-    assert len(seen["runs"]) == 10
+    assert len(seen["runs"]) == 11
 
 
 def test_the_history_keeps_the_scans(seen):
     assert "closed.laz" in seen["history"]
     assert "closed.laz" in run_of(seen, "from_history")["log"]
+
+
+def test_a_run_from_the_history_makes_no_output_that_was_switched_off(seen):
+    for name in ("again_1", "from_history"):
+        assert [layer["name"] for layer in run_of(seen, name)["layers"]] == ["Walls"]
+
+
+def test_a_model_loads_its_layers_as_its_algorithms_do(seen):
+    drawn = run_of(seen, "model")
+    assert [layer["name"] for layer in drawn["layers"]] == ["Elevation", "Orthoimage"]
+    assert {layer["system"] for layer in drawn["layers"]} == {None}
+    assert drawn["layers"][0]["renderer"] == run_of(seen, "facade")["layers"][0]["renderer"]
+
+
+def test_the_history_keeps_models(seen):
+    assert "facade.laz" in seen["history_of_model"]
+    assert "'facadedetails:Schedule':None" in seen["history_of_model"]
 
 
 def test_a_cancelled_run_loads_nothing_and_leaves_nothing(seen):

@@ -171,7 +171,7 @@ def tour():
         startPlugin("ichnograph")
     yield 500
     seen["installed"] = "ichnograph" in plugins
-    for part in (the_tutorial, work_with_runs, batch, facade, look_from_above):
+    for part in (the_tutorial, work_with_runs, batch, facade, model, look_from_above):
         yield from noting_errors(part)
 
 
@@ -259,6 +259,14 @@ def facade():
     """Draw the facade of the example."""
     QgsProject.instance().clear()
     yield from run("facadedetails", {"INPUT": [str(FOLDER / "house" / "facade.laz")]}, "facade")
+
+
+def model():
+    """Draw the facade of the example by a model, which runs in the background."""
+    QgsProject.instance().clear()
+    scans = {"SCANS": [str(FOLDER / "house" / "facade.laz")], "facadedetails:Schedule": None}
+    yield from run("Facade to drawing", scans, "model")
+    seen["history_of_model"] = last_command()
 
 
 def step(steps):

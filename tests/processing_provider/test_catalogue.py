@@ -13,6 +13,7 @@ CATALOGUE = Catalogue(
         "%1 by the %2": "%1 am „%2“",
         "of %1, %2 were read": "%2 wurden von %1 gelesen",
         "Point spacing": "Punktabstand",
+        "0 to 255": "0 bis 255",
         "standard deviations": "Standardabweichungen",
         "too few": "zu wenige",
         "surveyed": "eingemessen",
@@ -31,6 +32,10 @@ CATALOGUE = Catalogue(
 )
 def test_a_text_is_translated_by_its_pattern_and_keeps_names_and_numbers(english, german):
     assert CATALOGUE.translate(english) == german
+
+
+def test_a_number_at_the_edge_of_a_part_belongs_to_it():
+    assert CATALOGUE.translate("Point spacing (0 to 255)") == "Punktabstand (0 bis 255)"
 
 
 def test_what_is_filled_in_is_translated_likewise():

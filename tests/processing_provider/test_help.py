@@ -30,6 +30,17 @@ def test_on_the_desktop_names_are_bold_in_sections(desktop, provider):
     assert text.index("<b>Walls</b><br>") > places[2]
 
 
+def test_on_the_desktop_parameters_and_algorithms_have_their_labels(desktop, provider):
+    compared, image = (provider.algorithm(key).shortHelpString() for key in ("compareplan", "densityimage"))
+    assert "as Site plan from laser scans (siteplan) writes them" in compared
+    assert "What Lowest height (ZMIN) and Highest height (ZMAX) are counted from" in image
+
+
+def test_limits_have_no_exponents(provider):
+    helps = [item.help() for one in provider.algorithms() for item in one.parameterDefinitions()]
+    assert not [text for text in helps if re.search(r"\de[+-]\d", text)]
+
+
 def test_help_opens_the_page_that_is_installed(desktop, provider):
     page = Path(QUrl(provider.algorithm("siteplan").helpUrl()).toLocalFile())
 

@@ -3,31 +3,25 @@
 import re
 from pathlib import Path
 
-import fiona
 import numpy as np
 import pytest
 from ichnograph.algorithms.errors import InputError
 from ichnograph.processing_provider.layouts.sheet import SIZES, choose_sheet, grid_interval
-from ichnograph.tests.processing_provider.pdf import paths_of, size_of
-from rasterio.crs import CRS
-from shapely.geometry import box, mapping
-
-WIDTH, HEIGHT = 7.3, 4.1
-"""Of the building, in metres."""
-
-CORNER = (412_300.25, 5_812_300.75)
+from ichnograph.tests.processing_provider.pdf import size_of
+from ichnograph.tests.processing_provider.sheets import (
+    HEIGHT,
+    WIDTH,
+    error_of_scale_bar,
+    errors_of_outline,
+    write_building,
+)
+from shapely.geometry import box
 
 
 @pytest.fixture
 def walls(tmp_path):
     """Write the walls of a building, in UTM."""
-    outer = box(*CORNER, CORNER[0] + WIDTH, CORNER[1] + HEIGHT)
-    path = tmp_path / "walls.gpkg"
-    schema = {"geometry": "Polygon", "properties": {"kind": "str"}}
-    with fiona.open(path, "w", "GPKG", schema, crs_wkt=CRS.from_epsg(25833).to_wkt()) as layer:
-        outline = outer.difference(outer.buffer(-0.365, join_style=2))
-        layer.write({"geometry": mapping(outline), "properties": {"kind": "straight"}})
-    return str(path)
+    return write_building(tmp_path / "walls.gpkg")
 
 
 @pytest.fixture
@@ -55,13 +49,6 @@ def make_sheet(provider, project, tmp_path):
     return make_sheet
 
 
-def size_of_outline(pdf, scale):
-    """Return the width and height of what is drawn about as large as the building, in mm."""
-    expected = 1000 * np.array([WIDTH, HEIGHT]) / scale
-    sizes = [np.ptp(path, axis=0) for path in paths_of(pdf) if len(path) >= 4]
-    return min(sizes, key=lambda size: np.abs(size - expected).max()) - expected
-
-
 @pytest.mark.parametrize(("scale", "sheet", "name"), [(50, 0, "A3"), (100, 1, "A4"), (20, 3, "A1")])
 def test_lengths_on_paper_are_exact_to_a_tenth_of_a_millimetre(
     make_sheet, walls, tmp_path, scale, sheet, name
@@ -71,17 +58,14 @@ def test_lengths_on_paper_are_exact_to_a_tenth_of_a_millimetre(
 
     pdf = tmp_path / "sheet.pdf"
     assert size_of(pdf) == pytest.approx(SIZES[name], abs=0.2)
-    assert np.abs(size_of_outline(pdf, scale)).max() < 0.1
+    assert np.abs(errors_of_outline(pdf, scale)).max() < 0.1
 
 
 def test_the_scale_bar_is_as_exact(make_sheet, walls, tmp_path):
     make_sheet(WALLS=walls, SCALE=50)
 
     # Two segments of a metre each are 20 mm wide.
-    widths = [
-        size[0] for size in (np.ptp(path, axis=0) for path in paths_of(tmp_path / "sheet.pdf")) if size[1] < 3
-    ]
-    assert min(abs(width - 20) for width in widths) < 0.1
+    assert abs(error_of_scale_bar(tmp_path / "sheet.pdf", 20)) < 0.1
 
 
 def test_the_layout_joins_the_project_and_nothing_else_does(make_sheet, walls, project):
@@ -138,7 +122,7 @@ def test_an_elevation_without_a_system_is_drawn_without_a_complaint(make_sheet, 
     write_vector(path, "Polygon", {"id": "int"}, [(box(0, 0, WIDTH, HEIGHT), {"id": 1})], None)
     make_sheet(WALLS=str(path), KIND=1)
 
-    assert np.abs(size_of_outline(tmp_path / "sheet.pdf", 50)).max() < 0.1
+    assert np.abs(errors_of_outline(tmp_path / "sheet.pdf", 50)).max() < 0.1
     assert not [text for text in messages if "transform" in text]
 
 

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from ichnograph.tests.processing_provider.room import CORNER, covered_points, write_las
 from ichnograph.tests.scenes.stations.caster import CROSSED, Panel, Scanner, Window, cast
+from qgis.core import QgsProcessingContext
 from rasterio.crs import CRS
 
 MODELS = ("Control points and scans to site plan", "Facade to drawing", "Storeys one by one")
@@ -32,6 +33,26 @@ def test_a_model_gives_values_for_parameters_that_exist(model, name):
     for child in model(name).childAlgorithms().values():
         known = {item.name() for item in child.algorithm().parameterDefinitions()}
         assert {*child.parameterSources()} <= known
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_a_model_has_a_help_for_every_parameter_and_a_page(model, name):
+    assert all(item.help() for item in model(name).parameterDefinitions())
+    assert "<" not in model(name).shortHelpString(), "headless it is plain"
+    assert model(name).helpUrl().endswith("models.md")
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_scans_of_a_model_are_chosen_by_their_endings_and_kept_in_the_history(model, name):
+    scans = model(name).parameterDefinition("SCANS")
+    assert "*.e57" in scans.createFileFilter()
+    command = model(name).asPythonCommand({"SCANS": ["/scans/a.laz"]}, QgsProcessingContext())
+    assert command == f"processing.run(\"ichnograph:{name}\", {{'SCANS':['/scans/a.laz']}})"
+
+
+def test_the_inputs_of_a_model_are_in_the_order_of_the_work(model):
+    inputs = [item.name() for item in model(MODELS[0]).parameterDefinitions() if not item.isDestination()]
+    assert inputs == ["CONTROL", "SCANS", "TARGETS", "SYSTEM"]
 
 
 def test_models_are_listed(provider):
