@@ -4,8 +4,9 @@ make real [CLOUDS=folder] [REFERENCES=folder], or: python3 -m ichnograph.benchma
     [--references FOLDER] [--out build/real]
 
 FOLDER holds clouds, each a site; ../shared/data if not given. A reference
-is a drawn plan (see `algorithms.evaluation.drawn_plan`) called <cloud>.geojson. Tolerance 5 cm; the offset is
-that of outlines within 20 cm of a face. Leaves layers and pictures for each cloud: density image and walls;
+is a drawn plan (see `algorithms.evaluation.drawn_plan`) called <cloud>.geojson, in the folder of references,
+in FOLDER, or among those of this project (benchmarks/references). Tolerance 5 cm; the offset is that of
+outlines within 20 cm of a face. Leaves layers and pictures for each cloud: density image and walls;
 and the plan over a slice, where it agrees with the reference and where not.
 """
 
@@ -52,6 +53,28 @@ SCANS = (".las", ".laz", ".xyz")
 UP_IS_Y = ("indoor",)
 """Clouds whose heights are in the second column."""
 
+ROOM = "room_two_stations"
+
+REFERENCES = Path(__file__).resolve().parent / "references"
+"""Plans drawn by hand of scans that may be passed on."""
+
+ROOM_STATIONS = (
+    (
+        (0.999965, 0.000041, 0.008399, 0.0),
+        (0.000041, 0.999953, -0.009699, 0.0),
+        (-0.008399, 0.009699, 0.999918, 0.0),
+    ),
+    (
+        (0.756482, -0.653261, 0.031382, 1.968232),
+        (0.653519, 0.756905, 0.002584, 0.057683),
+        (-0.025441, 0.018554, 0.999504, -0.003026),
+    ),
+)
+"""From the two stations of the room to one level frame: by least squares on their common planes, metres."""
+
+TRIPOD = 0.6
+"""Points nearer to a station of the room are of what carries the scanner, metres."""
+
 
 def scans(folder: Path, work: Path) -> list[tuple[str, Path]]:
     """Return names and clouds; those in another frame or compressed ones are rewritten in `work`."""
@@ -61,6 +84,7 @@ def scans(folder: Path, work: Path) -> list[tuple[str, Path]]:
         plain = work / packed.stem
         plain.write_bytes(gzip.decompress(packed.read_bytes()))
         ready.append((plain.stem, plain))
+    ready += [(ROOM, room(rows, work)) for rows in sorted(folder.glob("rooms_pcl_scan_pair"))]
     ready += [("hall", hall(archive, work)) for archive in sorted(folder.glob("hall_3dtk*/*.zip"))]
     return ready
 
@@ -78,6 +102,23 @@ def hall(archive: Path, work: Path) -> Path:
         x, y, z = np.loadtxt(files.read("scan000.3d").decode().splitlines()).T / 100
     near = np.sqrt(x**2 + y**2 + z**2) < 32
     return write(x[near], z[near], y[near], work / "hall.laz")
+
+
+def room(folder: Path, work: Path) -> Path:
+    """Write the two stations of the room in one frame."""
+    stations = []
+    for number, matrix in enumerate(np.array(ROOM_STATIONS), start=1):
+        xyz = np.loadtxt(folder / f"room_scan{number}.xyz", usecols=(0, 1, 2))
+        far = xyz[np.sum(xyz**2, axis=1) > TRIPOD**2]
+        stations.append(far @ matrix[:, :3].T + matrix[:, 3])
+    x, y, z = np.concatenate(stations).T
+    return write(x, y, z, work / f"{ROOM}.laz")
+
+
+def reference_of(name: str, *folders: Optional[Path]) -> Optional[Path]:
+    """Return the drawn plan of a cloud in the first of the folders that has one, if there is any."""
+    paths = [folder / f"{name}.geojson" for folder in folders if folder]
+    return next((path for path in paths if path.exists()), None)
 
 
 def write(x: np.ndarray, y: np.ndarray, z: np.ndarray, path: Path) -> Path:
@@ -166,7 +207,7 @@ def main() -> None:
     """Print a row for each cloud, and the mean of those with references."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("folder", type=Path, nargs="?", default=Path("../shared/data"))
-    parser.add_argument("--references", type=Path, help="folder of <cloud>.geojson; that of the clouds")
+    parser.add_argument("--references", type=Path, help="folder of <cloud>.geojson")
     parser.add_argument("--out", type=Path, default=Path("build/real"))
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
@@ -183,8 +224,8 @@ def main() -> None:
         seconds = time.perf_counter() - started
         density, walls = write_layers(plan, arguments.out, name)
         draw(density, walls, arguments.out / f"{name}.png")
-        reference = (arguments.references or arguments.folder) / f"{name}.geojson"
-        row = compared(plan, reference) if reference.exists() else None
+        reference = reference_of(name, arguments.references, arguments.folder, REFERENCES)
+        row = compared(plan, reference) if reference else None
         if row:
             rows.append(row)
             draw_compared(arguments.out / f"{name}_compared.png", slice_of(path, plan), plan, row)

@@ -42,6 +42,8 @@ class FacePoints:
         Number of squares from west to east, with a free one at either side.
     levels : int
         Number of levels that hold a voxel.
+    flat : bool
+        Whether they are of a horizontal slice.
     """
 
     xy: np.ndarray
@@ -50,6 +52,7 @@ class FacePoints:
     square: np.ndarray
     columns: int
     levels: int
+    flat: bool = False
 
     def near(self, xy: np.ndarray) -> np.ndarray:
         """Return the rows of the voxels in the squares of points (n, 2) and the squares around them."""
@@ -63,13 +66,15 @@ class FacePoints:
         return starts + np.arange(length.sum())
 
 
-def face_points(xy: np.ndarray, level: np.ndarray, count: np.ndarray) -> FacePoints:
+def face_points(xy: np.ndarray, level: np.ndarray, count: np.ndarray, flat: bool = False) -> FacePoints:
     """Sort voxels; `xy` must not be negative."""
     column, row = np.floor(xy.T / SQUARE).astype(np.int64) + 1
     columns = int(column.max(initial=0)) + 2
     square = row * columns + column
     order = np.lexsort((xy[:, 1], xy[:, 0], level, square))
-    return FacePoints(xy[order], level[order], count[order], square[order], columns, len(np.unique(level)))
+    return FacePoints(
+        xy[order], level[order], count[order], square[order], columns, len(np.unique(level)), flat
+    )
 
 
 def gather_face_points(
@@ -97,7 +102,8 @@ def gather_face_points(
     reach = round(to_lattice(settings.reach_m) / grid.step) + 0.5
     near = (ndimage.distance_transform_edt(~walls) <= reach)[::-1]
     ground = image.ground[::-1]
-    low, high = _window(image, walls, settings)
+    flat = bool(np.mean(image.occupied[walls] > 0) < settings.seen_share)
+    low, high = _window(image, walls, flat, settings)
     window = low, high, (high - low) / settings.levels
 
     def gather(item: tuple[Key, Tile]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -108,12 +114,14 @@ def gather_face_points(
 
     tiles = points.store.tiles(points.keys, progress, "Gathering the points of the faces")
     xy, level, count = (np.concatenate(parts) for parts in zip(*in_order(gather, tiles)))
-    return face_points(xy, level, count)
+    return face_points(xy, level, count, flat)
 
 
-def _window(image: DensityImage, walls: np.ndarray, settings: FacePointSettings) -> tuple[float, float]:
+def _window(
+    image: DensityImage, walls: np.ndarray, flat: bool, settings: FacePointSettings
+) -> tuple[float, float]:
     """Return the lowest and the highest height above the ground at which faces are looked for, metres."""
-    if np.mean(image.occupied[walls] > 0) >= settings.seen_share:
+    if not flat:
         return image.window.lowest_m, image.window.highest_m
     low, high = (band[walls] - image.ground[walls] for band in (image.base, image.top))
     # The bands are rounded to float32.

@@ -6,10 +6,11 @@ centred half a pixel inside.
 """
 
 from collections import namedtuple
-from dataclasses import astuple, dataclass, fields
+from dataclasses import astuple, dataclass, fields, replace
 from typing import Any, Callable
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ...kernels import kernel
 from ...parallel import in_parts
@@ -18,6 +19,9 @@ from .settings import RidgeSettings
 
 MOST = 1 << 15
 """Most voxels of a window that are looked at; only foliage fills one with more."""
+
+SAMPLE = 200
+"""Stations that show how dense the voxels are: their median is sure to a tenth."""
 
 PART = 1 << 8
 """Stations whose ridges one thread finds at a time."""
@@ -82,7 +86,22 @@ def stations_along(
 def find_ridges(
     stations: Stations, points: FacePoints, pixel_size: float, settings: RidgeSettings = RidgeSettings()
 ) -> Ridges:
-    """Find the ridge beside each station."""
+    """Find the ridge beside each station, in longer windows where the points of a slice are sparse."""
+    ridges = _ridges(stations, points, pixel_size, settings)
+    if not points.flat or ridges.found.all():
+        return ridges
+    half = _half_window(stations.xy, points, settings)
+    if half > settings.along_m:
+        missing = np.flatnonzero(~ridges.found)
+        left = Stations(stations.xy[missing], stations.tangent[missing])
+        more = _ridges(left, points, pixel_size, replace(settings, along_m=half))
+        for all_of, found in zip(vars(ridges).values(), vars(more).values()):
+            all_of[missing] = found
+    return ridges
+
+
+def _ridges(stations: Stations, points: FacePoints, pixel_size: float, settings: RidgeSettings) -> Ridges:
+    """Find the ridge beside each station in windows of one length."""
     found = np.zeros(len(stations.xy), bool)
     ridges = Ridges(found, np.zeros_like(stations.xy), np.zeros_like(stations.xy))
     voxels = points.xy, points.level, points.square, points.columns
@@ -96,6 +115,15 @@ def find_ridges(
 
     in_parts(find, len(found), PART)
     return ridges
+
+
+def _half_window(stations: np.ndarray, points: FacePoints, settings: RidgeSettings) -> float:
+    """Return half the length of windows in which most stations find voxels enough for a line, metres."""
+    asked = stations[:: max(len(stations) // SAMPLE, 1)]
+    tree = cKDTree(points.xy[points.near(asked)])
+    counts = tree.query_ball_point(asked, settings.along_m, return_length=True)
+    usual = np.median(counts[counts > 0]) if np.any(counts) else settings.usual_voxels
+    return min(settings.along_m * max(settings.usual_voxels / usual, 1.0), settings.longest_m)
 
 
 @kernel

@@ -27,6 +27,10 @@ class RidgeSettings:
     step_px: float = judged(0.5, "Distance of the stations: two ridge points for each pixel.")
     half_chord_px: float = judged(1.5, "Longer than the steps of an outline of pixels, shorter than a jamb.")
     along_m: float = judged(0.15, "Half the window along: curved walls bend little in it, a jamb fills most.")
+    longest_m: float = judged(0.3, "Half of it where points are sparse: the side of a column is as long.")
+    usual_voxels: float = statistical(
+        11.0, "Where a window holds so many on average, 98 in 100 hold the fewest that fix a line."
+    )
     across_px: float = judged(1.3, "Half the window across: outlines of pixels are off by a pixel at most.")
     usual_px: float = judged(0.8, "Standard deviation of a face within the window.")
     widest_turn_deg: float = judged(50, "Beside a step an outline runs up to 45 degrees off its face.")

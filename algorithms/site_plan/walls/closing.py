@@ -12,7 +12,7 @@ def close_gaps(
     """Close gaps up to a width between faces, by a round structuring element, and fill holes.
 
     Where the heights are known, ground that was seen is kept open, so that a door is not walled up. A hole in
-    which no ground was seen is filled up to twice the gap, as between the faces of a thick wall.
+    which no ground was seen is filled up to twice the gap: between the faces of a thick wall or of a column.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def close_gaps(
         proof = ndimage.binary_opening(open_ground & ~walls, np.ones((2, 2)))
     closed = walls | (_closed(walls, width) & ~proof)
     joined = ndimage.binary_propagation(walls, np.ones((3, 3)), mask=closed)
-    return _fill_holes(joined, width if open_ground is None else 2 * width, proof)
+    return _fill_holes(joined, 2 * width, proof)
 
 
 def _closed(walls: np.ndarray, gap: float) -> np.ndarray:

@@ -53,6 +53,7 @@ def test_of_a_horizontal_slice_all_heights_are_taken(tmp_path):
     near, _ = gathered([tmp_path / "slice.las"], lambda image: image.density > 0)
     assert near.count.sum() == np.count_nonzero((up > 1.0) & (up < 1.2))
     assert len(np.unique(near.level)) > 3
+    assert near.flat
 
 
 def test_what_is_near_a_place_is_found_by_squares(tmp_path):

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ichnograph.algorithms.site_plan.faces.face_points import face_points
 from ichnograph.algorithms.site_plan.faces.ridges import find_ridges, stations_along
 from ichnograph.algorithms.site_plan.faces.settings import RidgeSettings
 from ichnograph.tests.algorithms.site_plan.faces.voxels import PIXEL, WALL, pixel_ring, voxels_of
@@ -37,6 +38,26 @@ def test_the_ridge_lies_on_the_face_and_runs_along_it():
 def test_without_voxels_nearby_no_ridge_is_found():
     ridges = find_ridges(STATIONS, voxels_of(box(20, 20, 22, 20.3)), PIXEL)
     assert not ridges.found.any()
+
+
+def test_sparse_points_of_a_slice_show_more_ridges_in_longer_windows():
+    random = np.random.default_rng(0)
+    slots = np.arange(2.0, 7.0, 0.06)
+    along = np.concatenate([slots, slots]) + random.uniform(0, 0.06, 2 * len(slots))
+    across = np.repeat([2.0, 2.3], len(slots)) + random.normal(0, 0.015, 2 * len(slots))
+    one = np.ones(len(along), np.int64)
+    voxels = face_points(np.column_stack([along, across]), one, one, flat=True)
+    inner = np.abs(STATIONS.xy[:, 0] - 4.5) < 2
+
+    ridges = find_ridges(STATIONS, voxels, PIXEL)
+    short = find_ridges(STATIONS, voxels, PIXEL, RidgeSettings(longest_m=0.15))
+
+    assert ridges.found[inner].mean() > 0.9 > 0.6 > short.found[inner].mean()
+    np.testing.assert_array_equal(ridges.xy[short.found], short.xy[short.found])
+    # Where heights were seen, so few points are foliage or the far end of a scan.
+    np.testing.assert_array_equal(
+        find_ridges(STATIONS, replace(voxels, flat=False), PIXEL).found, short.found
+    )
 
 
 def test_a_ridge_needs_voxels_on_several_levels_unless_the_cloud_is_flat():

@@ -71,6 +71,19 @@ def test_the_inside_of_a_thick_wall_is_filled_and_the_inside_of_a_room_is_not():
     assert not filled[23:48, 23:48].any()
 
 
+def ring(size):
+    """Return the four faces of a square body, so many pixels apart."""
+    walls = np.zeros((size + 20, size + 20), bool)
+    walls[10 : 12 + size, 10 : 12 + size] = True
+    walls[11 : 11 + size, 11 : 11 + size] = False
+    return walls
+
+
+def test_the_inside_of_a_column_is_filled_in_a_slice_and_that_of_a_cabin_is_not():
+    assert close_gaps(ring(7), 0.1, 0.4)[10:19, 10:19].all()
+    assert not close_gaps(ring(12), 0.1, 0.4)[13:21, 13:21].any()
+
+
 def test_pixels_that_touch_at_a_corner_are_joined_through_the_denser_neighbour():
     walls = np.eye(4, dtype=bool)
     density = np.triu(np.full((4, 4), 2.0)) + np.tril(np.full((4, 4), 1.0), -1)
