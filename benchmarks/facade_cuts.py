@@ -1,12 +1,13 @@
 """How far the openings of one facade depend on what else is in its cloud.
 
 make facade-cuts CLOUDS="street.laz bare.laz rooms.laz", or: python3 -m ichnograph.benchmarks.facade_cuts
-CLOUD CLOUD ... [--tolerance 0.01] [--plain]
+CLOUD CLOUD ... [--near X Y] [--tolerance 0.01] [--plain]
 
 The clouds are cut from one scan, in one coordinate system: with the street or without, with rooms or without,
 the facade alone, the whole building. Prints the openings of each cloud in the frame of the first: position
 and size, and "-" where a cloud does not show it; then how many were found in all clouds, and how far edges
-differ that were measured in each of them. All defaults; colour and intensity are ignored with --plain.
+differ that were measured in each of them. All defaults; of a building or a street, the facade nearest to
+--near is taken. Colour and intensity are ignored with --plain.
 """
 
 import argparse
@@ -19,8 +20,9 @@ from typing import Optional
 import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.facade.elevation import COLOURED, PROJECTION, Detail, Elevation
-from ichnograph.algorithms.facade.measurement import measure_facade
+from ichnograph.algorithms.facade.every_facade import measure_selection
 from ichnograph.algorithms.facade.points import read_points
+from ichnograph.algorithms.facade.selection import select_facade
 from ichnograph.algorithms.facade.settings import FacadeSettings
 from ichnograph.tests.scenes.facades.judging import ALIKE, iou
 from shapely.geometry import Polygon
@@ -32,12 +34,13 @@ Seen = tuple[Detail, Polygon]
 """An opening, and its outline in the frame of the first cloud."""
 
 
-def measure(path: Path, plain: bool) -> Elevation:
-    """Return the elevation of a cloud."""
+def measure(path: Path, plain: bool, near: Optional[Sequence[float]]) -> Elevation:
+    """Return the elevation of a cloud, of the facade near a point of the site if there is one."""
     points = read_points(open_cloud([path]))
     if plain:
         points = replace(points, rgb=None, intensity=None)
-    return measure_facade(points, FacadeSettings())
+    settings = FacadeSettings()
+    return measure_selection(select_facade(points, settings, near=near), settings).elevation
 
 
 def openings_of(elevation: Elevation, first: Elevation) -> list[Seen]:
@@ -119,13 +122,14 @@ def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("clouds", nargs="+", type=Path, help="of one facade, in one coordinate system")
+    parser.add_argument("--near", nargs=2, type=float, metavar=("X", "Y"), help="a point near the facade")
     parser.add_argument("--tolerance", type=float, default=0.01, help="of the edges, metres")
     parser.add_argument("--plain", action="store_true", help="without colour and intensity")
     arguments = parser.parse_args()
     elevations = []
     for path in arguments.clouds:
         started = time.perf_counter()
-        elevations.append(measure(path, arguments.plain))
+        elevations.append(measure(path, arguments.plain, arguments.near))
         facing, seconds = elevations[-1].frame.azimuth, time.perf_counter() - started
         print(f"{path.name}: faces azimuth {facing:.1f} degrees, {seconds:.0f} s", flush=True)
     rows = matched([openings_of(elevation, elevations[0]) for elevation in elevations])

@@ -89,10 +89,12 @@ def _position(
             agree.append(wide)
         seen = level or _is_seen(outline, OPPOSITE[edge])
         if seen and agree and all(agree):
-            positions.append(other[own] + shift)
-    if len(positions) < settings.fewest or np.ptp(positions) > settings.alike_m:
+            positions.append((abs(other[0] - bounds[0]), other[own] + shift))
+    # A row may run on over a neighbour, whose windows differ.
+    nearest = [position for _, position in sorted(positions)[: settings.fewest]]
+    if len(nearest) < settings.fewest or np.ptp(nearest) > settings.alike_m:
         return None
-    return float(np.median(positions))
+    return float(np.median(nearest))
 
 
 def _moved(polygon: Polygon, edge: str, position: float) -> Polygon:

@@ -1570,6 +1570,11 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>a part of the wall that bends or is a little set back, without an edge around it</source>
+        <translation>ein Teil der Wand, der gebogen ist oder etwas zurückliegt, ohne Kante ringsum</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>ragged, as of damage or a shadow</source>
         <translation>ausgefranst, wie bei einem Schaden oder Schatten</translation>
     </message>

@@ -1570,6 +1570,11 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
+        <source>a part of the wall that bends or is a little set back, without an edge around it</source>
+        <translation>une partie du mur courbée ou un peu en retrait, sans arête tout autour</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <source>ragged, as of damage or a shadow</source>
         <translation>déchiqueté, comme d&#x27;un dégât ou d&#x27;une ombre</translation>
     </message>

@@ -38,6 +38,8 @@ class Opening:
         Where no wall bounds it.
     inside : ndarray of int64
         The points of its content.
+    bent : int
+        On how many of its four sides the wall comes as near to its content without a step.
     """
 
     region: Region
@@ -48,6 +50,7 @@ class Opening:
     layer: int
     open_sides: tuple[str, ...]
     inside: np.ndarray
+    bent: int = 0
 
 
 def fill_regions(
@@ -62,14 +65,30 @@ def fill_regions(
     behind = np.flatnonzero((of_point >= 0) & ~states.on_wall & (states.above < 0))
     order = behind[np.argsort(of_point[behind], kind="stable")]
     starts = np.searchsorted(of_point[order], np.arange(len(regions) + 1))
+    heights = _heights(states)
     return [
-        _filled(states, region, wall, order[start:stop], settings)
+        _filled(states, region, wall, heights, order[start:stop], settings)
         for region, start, stop in zip(regions, starts[:-1], starts[1:])
     ]
 
 
+def _heights(states: States) -> np.ndarray:
+    """Return how far the points of the wall in each pixel are in front of its layer; nan where none are."""
+    cells, above = states.cells[states.on_wall], states.above[states.on_wall]
+    counts = np.bincount(cells, minlength=states.image.size)
+    sums = np.bincount(cells, above, minlength=states.image.size)
+    means = np.full(states.image.size, np.nan)
+    np.divide(sums, counts, out=means, where=counts > 0)
+    return means.reshape(states.grid.shape)
+
+
 def _filled(
-    states: States, region: Region, wall: np.ndarray, inside: np.ndarray, settings: ContentSettings
+    states: States,
+    region: Region,
+    wall: np.ndarray,
+    heights: np.ndarray,
+    inside: np.ndarray,
+    settings: ContentSettings,
 ) -> Opening:
     above = states.above[inside]
     near = above > -settings.near_m
@@ -81,11 +100,35 @@ def _filled(
     layer = int(np.bincount(states.nearest[region.box][region.image]).argmax())
     height = region.image.shape[0] * states.grid.size
     use = WINDOW
-    if sides[BELOW] and height >= settings.lowest_door_m:
+    grounded = sides[BELOW] or _wall_below(region, wall) * states.grid.size <= settings.step_m
+    if grounded and height >= settings.lowest_door_m:
         use = DOOR if kind == RECESS else PASSAGE
     named = tuple(name for name, is_open in zip(SIDES, sides) if is_open)
     polygon = region_polygon(region, states)
-    return Opening(region, polygon, kind, use, depth, layer, named, inside)
+    bent = _bent_sides(region, heights, depth, settings)
+    return Opening(region, polygon, kind, use, depth, layer, named, inside, bent)
+
+
+def _wall_below(region: Region, wall: np.ndarray) -> float:
+    """Return how high the wall below a region is, in pixels."""
+    rows, columns = region.box
+    return float(np.median(wall[: rows.start, columns].sum(axis=0)))
+
+
+def _bent_sides(region: Region, heights: np.ndarray, depth: float, settings: ContentSettings) -> int:
+    """Return on how many sides the wall beside a region is nearly as deep as what is seen in it."""
+    (bottom, top), (left, right) = ((side.start, side.stop) for side in region.box)
+    rows, columns = region.box
+    # The pixels at the edge are mixed.
+    reach, next_to = settings.beside_pixels + 1, 1
+    strips = (
+        heights[rows, max(left - reach, 0) : max(left - next_to, 0)],
+        heights[rows, right + next_to : right + reach],
+        heights[max(bottom - reach, 0) : max(bottom - next_to, 0), columns],
+        heights[top + next_to : top + reach, columns],
+    )
+    seen = [strip[np.isfinite(strip)] for strip in strips]
+    return sum(bool(len(strip) and np.median(strip) < settings.bend * depth) for strip in seen)
 
 
 def region_polygon(region: Region, states: States) -> Polygon:

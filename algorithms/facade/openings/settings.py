@@ -65,6 +65,8 @@ class StateSettings:
         3.0, "What is farther behind is seen at a slant and does not project into the opening it is seen in."
     )
     jamb_m: float = physical(0.5, "Jambs reach this far behind the wall, and less where its inner face is.")
+    sill_m: float = physical(0.3, "Sills and surrounds project by less.")
+    bar_m: float = physical(0.05, "The bars of a railing are thinner, sills and surrounds are not.")
     before_m: float = physical(4.0, "What is farther in front is the street; nearer things hide the wall.")
 
 
@@ -114,6 +116,11 @@ class ContentSettings:
     filled: float = judged(0.5, "A recess has a surface behind at least this part of it; an opening has not.")
     near_m: float = physical(1.0, "Panes, doors and the backs of niches are not deeper in the wall.")
     lowest_door_m: float = physical(1.6, "Doors and passages are not lower.")
+    step_m: float = physical(0.2, "Thresholds and steps below a door are not higher.")
+    beside_pixels: int = judged(3, "The wall beside an opening, in pixels.")
+    bend: float = judged(
+        0.5, "A wall that bends is beside the opening as deep as this part of what is in it."
+    )
 
 
 @dataclass(frozen=True)

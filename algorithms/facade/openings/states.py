@@ -9,7 +9,7 @@ from scipy import ndimage
 from ..planes.inner_face import Face
 from .grid import Grid, beyond, grid_over
 from .layers import Layer, find_layers
-from .settings import OpeningSettings
+from .settings import OpeningSettings, StateSettings
 from .spacings import local_spacings
 from .wall_surface import fit_surface
 
@@ -92,6 +92,8 @@ def make_states(
     image = np.zeros(grid.shape, np.uint8)
     for state, points in ((FRONT, front), (BEHIND, behind), (WALL, on_wall)):
         image[grid.holds(cells[points])] = state
+    attached = inside & (above > tolerance) & (above <= limits.sill_m)
+    image[_sills(grid.holds(cells[attached]), grid.size, limits) & (image == BEHIND)] = FRONT
     if inner is not None:
         own = inside & (np.abs(-uvw[:, 2] - inner.offset) <= distance)
         image[grid.holds(cells[own]) & (image != WALL)] = INNER
@@ -124,6 +126,15 @@ def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
     # Squares at the border of the wall are not full.
     full = counts[counts >= settings.states.fullest * np.median(counts)]
     return float(side / np.sqrt(np.median(full)))
+
+
+def _sills(attached: np.ndarray, size: float, limits: StateSettings) -> np.ndarray:
+    """Return the pixels of sills and surrounds: solid strips, unlike the bars of a railing.
+
+    What is behind them was seen from inside the building.
+    """
+    solid = ndimage.binary_opening(attached, np.ones((max(round(limits.bar_m / size), 2),) * 2))
+    return solid & ~ndimage.binary_opening(solid, np.ones((max(round(limits.square_m / size), 3),) * 2))
 
 
 def _nearest(layers: list[Layer], settings: OpeningSettings) -> np.ndarray:

@@ -15,6 +15,7 @@ UNSEEN = "nothing was seen behind it, so that the wall may not have been scanned
 LOW = "low, and without head and sill, as of a gap between things on the ground"
 OPEN = "not bounded by the wall all around"
 AT_END = "narrow, at the end of the wall or of what was scanned of it"
+BENT = "a part of the wall that bends or is a little set back, without an edge around it"
 RAGGED = "ragged, as of damage or a shadow"
 
 
@@ -43,7 +44,11 @@ def reason_against_opening(
             return SHALLOW
         if at_end:
             return AT_END
+        if len(border.seen) and border.shown.mean() < settings.shown:
+            return RAGGED
     measured = _measured(outline)
+    if shallow and len(vars(outline.edges)) - opening.bent < settings.bounded:
+        return BENT
     if outline.shape == FREE:
         few = len(measured) < settings.measured
         return _reason_against_free(opening, border, outline, settings) or (FEW_SIDES if few else None)
@@ -63,7 +68,10 @@ def _reason_against_free(
     """Return why a free shape is not a hole of the wall behind which something was seen."""
     if math.isnan(opening.depth):
         return UNSEEN
-    if outline.polygon.area < settings.solid * outline.polygon.convex_hull.area:
+    if (
+        opening.depth > -settings.damage_m
+        or outline.polygon.area < settings.solid * outline.polygon.convex_hull.area
+    ):
         return RAGGED
     bounded = len(border.seen) and border.seen.mean() >= settings.seen
     return OPEN if set(opening.open_sides) - {"bottom"} or not bounded else None

@@ -1,6 +1,7 @@
 """The border between a detail and what surrounds it, as the mean of its two sides."""
 
 from dataclasses import dataclass, field
+from typing import Optional
 
 import numpy as np
 from scipy.ndimage import binary_dilation
@@ -59,6 +60,8 @@ class Border:
         Points of surfaces at right angles to the plane, which show the border directly.
     spacing : float
         Of the points along the border (m).
+    bare : ndarray of bool, shape (k,), or None
+        At which crossings nothing is seen behind the wall, so that a shadow may end there; None if at none.
     """
 
     ring: Polygon
@@ -67,6 +70,12 @@ class Border:
     seen: np.ndarray
     jambs: np.ndarray = field(default_factory=lambda: np.empty((0, 3)))
     spacing: float = 0.0
+    bare: Optional[np.ndarray] = None
+
+    @property
+    def shown(self) -> np.ndarray:
+        """Which crossings were seen, with something behind the wall beside them."""
+        return self.seen if self.bare is None else self.seen & ~self.bare
 
 
 def trace_border(

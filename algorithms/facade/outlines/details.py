@@ -5,14 +5,14 @@ from dataclasses import dataclass, replace
 from typing import Optional
 
 import numpy as np
-from scipy.ndimage import binary_erosion
+from scipy.ndimage import binary_dilation, binary_erosion
 from shapely.geometry import Polygon
 
 from ..colour.coloured_details import Coloured
 from ..colour.mixed_points import divide_at_half
 from ..elevation import COLOURED, PROJECTION
 from ..openings.content import Opening
-from ..openings.states import States
+from ..openings.states import BEHIND, States
 from ..settings import FacadeSettings
 from .border import Border, Lost, trace_border
 from .jambs import divide_behind, is_plumb
@@ -135,7 +135,17 @@ def _opening_border(
         np.empty((0, 3)), outside, states.grid.centres(core), 0.01, margin, Lost(mixed[:, :2], spacing**2),
         limits, reach,
     )  # fmt: skip
-    return replace(border, jambs=jamb)
+    return replace(border, jambs=jamb, bare=~_beside_content(opening, states, border.crossings))
+
+
+def _beside_content(opening: Opening, states: States, crossings: np.ndarray) -> np.ndarray:
+    """Return beside which crossings, shape (k, 2), an opening shows something behind the wall."""
+    image = np.zeros(states.grid.shape, bool)
+    image[opening.region.box] = opening.region.image
+    image &= (states.image == BEHIND) | states.reveals
+    # The region ends up to a pixel beside its border.
+    cells = states.grid.cells(crossings)
+    return np.asarray((cells >= 0) & binary_dilation(image, np.ones((5, 5))).ravel()[np.maximum(cells, 0)])
 
 
 def _spacing_around(opening: Opening, states: States) -> float:

@@ -68,7 +68,9 @@ def fit_head(
     wide = limits.widest * (right - left)
     if len(points) < limits.fewest or np.ptp(points[:, 0]) < wide:
         return None
-    expected = np.hypot(gaps / np.sqrt(12), settings.noise_m)
+    # Of points at random the outermost may lie close to the edge by chance, as the others do not.
+    wide_gaps = np.where(gaps > 0, np.maximum(gaps, spacing), 0.0)
+    expected = np.hypot(wide_gaps / np.sqrt(12), settings.noise_m)
     found = []
     for kind, line in _candidates(points, jambs, settings):
         head = Head(kind, line, float("nan"))
@@ -116,7 +118,8 @@ def _sloped(
     middle = 0.5 * (jambs[0] + jambs[1])
     u, v = points[:, 0] - middle, points[:, 1]
     found = least_squares(lambda p: p[0] + p[1] * u - v, (np.median(v), 0.0), loss="soft_l1", f_scale=noise).x
-    if abs(found[1]) <= limits.steepest:
+    rise = abs(found[1]) * (jambs[1] - jambs[0])
+    if abs(found[1]) <= limits.steepest and rise >= limits.level_m:
         yield SLOPED, np.array([(edge, found[0] + found[1] * (edge - middle)) for edge in jambs[::-1]])
 
 

@@ -13,6 +13,7 @@ from .border import Border
 from .edges import Edge, border_deviation, edge_at_wall, fit_edge
 from .heads import FLAT, SLOPED, Head, fit_head
 from .settings import OutlineSettings
+from .surface import within
 
 NOTHING = float("nan")
 CORNERS = 96
@@ -79,14 +80,19 @@ def make_outline(
     sides = _fit(border, ring, settings)
     polygon = _polygon(sides)
     off = _off(border, polygon)
-    reach = np.maximum(settings.shapes.outlying_gaps * border.gaps, settings.shapes.outlying_m)
-    contradicted = float(np.mean(off[border.seen] > reach[border.seen]))
-    alike = _iou(polygon, ring)
     shapes = settings.shapes
+    reach = np.maximum(shapes.outlying_gaps * border.gaps, shapes.outlying_m)
+    measured = sum(edge.measured for edge in (sides.left, sides.bottom, sides.right, sides.top))
+    counted = border.seen
+    if measured >= shapes.sides_of_shadowed:
+        # A shadow beside an opening is a part of its hole, and shows nothing.
+        beyond = (off > reach) & ~within(polygon, border.crossings)
+        counted = border.seen & (border.shown | ~beyond)
+    contradicted = float(np.mean(off[counted] > reach[counted]))
+    alike = _iou(polygon, ring)
     agrees = contradicted <= shapes.contradicted or (
         contradicted <= shapes.most_contradicted and alike >= shapes.alike
     )
-    measured = sum(edge.measured for edge in (sides.left, sides.bottom, sides.right, sides.top))
     if not agrees or measured < shapes.fewest_sides:
         return _free(border, ring, settings)
     near = border.seen & (off <= reach)
@@ -116,10 +122,10 @@ def _fit(border: Border, ring: Polygon, settings: OutlineSettings) -> _Sides:
     if top.measured and top.last - top.first >= settings.heads.flat_extent * width:
         return sides
     head = _head(border, sides, settings)
-    if head is None or head.kind == FLAT:
+    if head is None or (head.kind == FLAT and top.measured):
         return sides
     crown = Edge(float(head.line[:, 1].max()), head.std)
-    return _Sides(sides.left, sides.bottom, sides.right, crown, head)
+    return _Sides(sides.left, sides.bottom, sides.right, crown, None if head.kind == FLAT else head)
 
 
 def _side(
@@ -258,7 +264,7 @@ def _deviation_of_free(
     reach = settings.edges.corner_gaps * gap
     corner = min(settings.edges.corner_gaps * max(gap, border.spacing), 0.25 * (span[1] - span[0]))
     # The feet of jambs, which end at a sill that was not seen, do not show it.
-    near = border.seen & (np.abs(across - position) < reach)
+    near = border.shown & (np.abs(across - position) < reach)
     near &= (along > span[0] + corner) & (along < span[1] - corner)
     if near.sum() < settings.edges.fewest:
         return NOTHING

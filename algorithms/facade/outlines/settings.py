@@ -96,6 +96,7 @@ class HeadSettings:
     flat_extent: float = judged(0.7, "A head that is level over this part of its width is flat.")
     widest: float = judged(0.5, "The border of a head is seen over this part of its width.")
     steepest: float = physical(0.7, "Sloped heads follow stairs and roofs, up to 35 degrees.")
+    level_m: float = physical(0.03, "Lintels of old walls that rise by less are level, and sag.")
     flattest: float = judged(8.0, "An arc of a larger radius, in half widths, is flat.")
     semicircle: float = judged(0.04, "An arc whose radius exceeds half the width by less is a semicircle.")
     outlying: float = statistical(4.0, "Expected deviations beyond which a part of the border lies off.")
@@ -116,6 +117,9 @@ class ShapeSettings:
     most_contradicted: float = judged(0.4, "More may lie off where the area is the same.")
     alike: float = judged(0.8, "Areas are the same with this intersection over union.")
     fewest_sides: int = judged(2, "With fewer measured sides an outline is free.")
+    sides_of_shadowed: int = judged(
+        4, "With so many measured sides, what is empty beyond an outline is the shadow of something in front."
+    )
     round_box: float = judged(0.85, "The box of a circle is as wide as high.")
     round_deviation: float = judged(3.0, "Half of the border of a circle is nearer, in expected deviations.")
 
@@ -130,6 +134,9 @@ class AcceptanceSettings:
     narrow_m: float = physical(
         0.3,
         "Shallow holes and those at the end of a wall are damage if narrower, free shapes up to twice this.",
+    )
+    shown: float = judged(
+        0.5, "So narrow a hole shows something behind the wall along this part of its border."
     )
     lowest_gap_m: float = physical(
         1.6, "Without head and sill a hole is a gap, unless it is as high as a door."

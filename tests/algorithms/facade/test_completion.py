@@ -70,6 +70,12 @@ def test_one_neighbour_alone_or_two_that_disagree_complete_nothing():
     assert completed(first, pair(2.0, 1.0, 3.0, 2.5), pair(4.0, 0.9, 5.0, 2.5)).completed == ()
 
 
+def test_in_a_row_that_runs_on_over_a_neighbour_the_nearest_windows_complete_an_edge():
+    first = pair(0.0, 1.12, 1.0, 2.5, unseen=("bottom",))
+    own = [pair(left, 1.0, left + 1, 2.5) for left in (2.0, 4.0, 6.0)]
+    assert completed(first, *own, pair(8.0, 0.95, 9.0, 2.5)).polygon.bounds[1] == pytest.approx(1.0)
+
+
 def test_an_arch_keeps_its_head():
     def arch(left, bottom, **changes):
         angles = np.linspace(0, np.pi, 25)

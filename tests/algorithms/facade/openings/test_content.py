@@ -38,6 +38,23 @@ def test_a_door_stands_on_the_ground_and_a_passage_has_nothing_in_it():
     assert door.open_sides == passage.open_sides == ("bottom",)
 
 
+def test_a_door_may_stand_on_a_step_but_not_on_a_parapet():
+    step, parapet = ((1.0, low, 2.2, low + 2.0) for low in (0.15, 0.5))
+    assert opening_of(wall(step), pane(step, -0.3)).use == DOOR
+    assert opening_of(wall(parapet), pane(parapet, -0.3)).use == A_WINDOW
+
+
+def test_a_niche_has_a_step_on_all_sides_and_a_wall_that_bends_has_not():
+    left, bottom, right, top = WINDOW
+    bending = wall(WINDOW)
+    u, v, _ = bending.T
+    bending[(u > left) & (u < right + 0.3) & (v > bottom) & (v < top + 0.3), 2] = -0.014
+    niche = opening_of(wall(WINDOW), pane(WINDOW, -0.025))
+    bend = opening_of(bending, pane(WINDOW, -0.025))
+
+    assert (niche.bent, bend.bent) == (0, 2)
+
+
 def test_the_polygon_is_the_hole_within_two_pixels():
     found = opening_of(wall(WINDOW), pane(WINDOW))
     assert found.polygon.bounds == pytest.approx(WINDOW, abs=2 * 1.5 * STEP)

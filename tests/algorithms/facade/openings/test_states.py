@@ -55,3 +55,13 @@ def test_the_wall_between_pilasters_is_wall():
     states = states_of(np.concatenate([wall(frame), pane(panel, 0.0)]), pilasters)
 
     assert state_at(states, 3.0, 1.9) == WALL
+
+
+def test_a_sill_hides_what_was_seen_behind_it_from_inside_and_a_railing_does_not():
+    sill = (0.8, 1.2, 2.2, 1.35)
+    bars = np.concatenate([pane((u, 1.35, u + 0.02, 2.4), 0.1) for u in np.arange(1.1, 2.0, 0.12)])
+    hole = (1.0, 1.2, 2.0, 2.4)
+    states = states_of(wall(hole), pane(hole, -0.3), pane(sill, 0.08), bars)
+
+    assert state_at(states, 1.5, 1.27) == FRONT
+    assert all(state_at(states, u, 1.8) == BEHIND for u in np.arange(1.1, 1.95, 0.02))

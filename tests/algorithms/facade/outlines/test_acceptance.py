@@ -9,6 +9,7 @@ from ichnograph.algorithms.facade.openings.content import DOOR, Opening
 from ichnograph.algorithms.facade.openings.regions import Region
 from ichnograph.algorithms.facade.outlines.acceptance import (
     AT_END,
+    BENT,
     FEW_SIDES,
     LOW,
     OPEN,
@@ -67,6 +68,26 @@ def test_shallow_small_holes_are_damage():
     assert reason_against_opening(replace(HOLE, depth=-0.06), BORDER, outline()) is None
 
 
+def test_a_shallow_part_of_a_wall_that_bends_is_not_an_opening():
+    bend = replace(HOLE, depth=-0.06, bent=2)
+    assert reason_against_opening(bend, BORDER, outline()) == BENT
+    assert reason_against_opening(replace(bend, bent=1), BORDER, outline()) is None
+    assert reason_against_opening(replace(bend, depth=-0.3), BORDER, outline()) is None
+
+
+def test_a_narrow_hole_that_shows_nothing_along_its_border_is_a_shadow():
+    narrow = outline(polygon=box(0, 0, 0.25, 0.25))
+    bare = replace(BORDER, bare=np.arange(10) < 6)
+    assert reason_against_opening(HOLE, bare, narrow) == RAGGED
+    assert reason_against_opening(HOLE, BORDER, narrow) is None
+    assert reason_against_opening(HOLE, bare, outline()) is None
+
+
+def test_a_shallow_shape_without_straight_sides_is_damage():
+    shallow = replace(HOLE, depth=-0.06)
+    assert reason_against_opening(shallow, BORDER, outline(shape=FREE)) == RAGGED
+
+
 def test_a_narrow_gap_at_the_end_of_a_wall_is_no_opening():
     gap = outline(right=NOT, polygon=box(0, 0, 0.2, 1.4))
     assert reason_against_opening(HOLE, BORDER, gap) is None
@@ -92,6 +113,6 @@ def test_a_colour_with_straight_sides_is_a_detail_and_a_stain_is_not():
     assert not is_regular(outline(shape=FREE))
 
 
-@pytest.mark.parametrize("reason", [FEW_SIDES, LOW, OPEN, RAGGED, SHALLOW, UNSEEN])
+@pytest.mark.parametrize("reason", [BENT, FEW_SIDES, LOW, OPEN, RAGGED, SHALLOW, UNSEEN])
 def test_a_reason_fits_into_its_field(reason):
     assert len(reason) <= int(LEFT_OUT_FIELDS["reason"].partition(":")[2])

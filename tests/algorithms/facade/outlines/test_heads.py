@@ -31,9 +31,9 @@ def pointed():
     return 1.0 + np.sqrt(1.2**2 - (own + HALF) ** 2)
 
 
-def head_of(v, noise=0.002):
+def head_of(v, noise=0.002, spacing=0.0):
     points = np.column_stack([U, v + np.random.default_rng(0).normal(0, noise, len(U))])
-    return fit_head(points, np.full(len(U), GAP), JAMBS)
+    return fit_head(points, np.full(len(U), GAP), JAMBS, spacing=spacing)
 
 
 @pytest.mark.parametrize(("shape", "kind", "height"), [
@@ -46,6 +46,17 @@ def test_each_head_is_recognised_with_its_height(shape, kind, height):
     assert head.kind == kind
     assert head.line[:, 1].max() == pytest.approx(height, abs=0.005)
     assert 0 < head.std < 0.005
+
+
+def test_an_old_lintel_that_sags_by_less_than_3_cm_is_level():
+    assert head_of(2.0 + 0.02 * U).kind == FLAT
+    assert head_of(2.0 + 0.04 * U).kind == SLOPED
+
+
+def test_the_outermost_of_points_far_apart_do_not_make_an_arch():
+    shallow = 2.0 - 0.15 * (U - HALF) ** 2
+    assert head_of(shallow, 0.006).kind == SEGMENTAL
+    assert head_of(shallow, 0.006, spacing=0.05).kind == FLAT
 
 
 def test_a_border_that_is_no_head_has_none():

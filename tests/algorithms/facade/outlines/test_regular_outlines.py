@@ -143,3 +143,34 @@ def test_the_feet_of_jambs_do_not_measure_a_sill_that_was_not_seen():
     assert np.isnan(outline.edges.bottom)
     assert outline.edges.left < 0.005
     assert np.isfinite(make_outline(whole, False).edges.bottom)
+
+
+def beside_a_shadow():
+    """Return the border of a window, 1 x 1.5 m, and of a shadow that hangs on to its lower right corner."""
+    shadow = Polygon([(0.6, -0.4), (1.3, -0.3), (1.3, 0.5), (1.0, 0.6), (1.0, 0), (0.6, 0)])
+    border = border_of(box(0, 0, 1, 1.5).union(shadow))
+    beyond = (border.crossings[:, 0] > 1.02) | (border.crossings[:, 1] < -0.02)
+    return replace(border, bare=beyond)
+
+
+def test_the_shadow_of_a_tree_on_the_wall_beside_a_window_is_not_a_part_of_it():
+    outline = make_outline(beside_a_shadow(), True)
+
+    assert outline.shape == RECTANGLE
+    assert outline.polygon.bounds == pytest.approx((0, 0, 1, 1.5), abs=0.003)
+
+
+def test_what_shows_something_behind_the_wall_all_around_is_the_shape_of_the_hole():
+    border = replace(beside_a_shadow(), bare=None)
+    outline = make_outline(border, True)
+
+    assert outline.shape == FREE
+    assert outline.polygon.bounds[2] == pytest.approx(1.3, abs=0.02)
+
+
+def test_the_border_of_a_shadow_measures_no_edge_of_a_free_shape():
+    outline = make_outline(beside_a_shadow(), False)
+
+    assert outline.shape == FREE
+    assert np.isnan(outline.edges.right) and np.isnan(outline.edges.bottom)
+    assert outline.edges.left < 0.005 and outline.edges.top < 0.005
