@@ -4416,8 +4416,8 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
-        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
-        <translation>%1 hat die Koordinaten %2, %3 und %4, %5; die nicht gewünschten umbenennen.</translation>
+        <source>%1 has %2 and %3 for one coordinate; rename what is not wanted.</source>
+        <translation>%1 hat %2 und %3 für eine Koordinate; umbenennen, was nicht gewünscht ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>

@@ -4416,8 +4416,8 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
-        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
-        <translation>%1 a les coordonnées %2, %3 et %4, %5 ; renommez celles qui ne sont pas voulues.</translation>
+        <source>%1 has %2 and %3 for one coordinate; rename what is not wanted.</source>
+        <translation>%1 a %2 et %3 pour une coordonnée ; renommez ce qui n&#x27;est pas voulu.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
