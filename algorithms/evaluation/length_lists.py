@@ -135,6 +135,8 @@ def _dimensions(table: NamedTable, line: int) -> list[tuple[str, str]]:
 def _id(table: NamedTable, line: int) -> str:
     """Return the id of the detail in a row; each facade of a common schedule counts its own."""
     name, facade = table.text(line, "id"), table.text(line, "facade")
+    if not name:
+        raise InputError(f"Line {line} of {table.path} has no id; add the one of its detail.")
     return f"{name} of facade {facade}" if facade else name
 
 

@@ -26,7 +26,17 @@ CLOUD: Roles = {
         *("z", "elevation", "elev", "height", "altitude", "alt", "h", "points:2", "zcoordinate", "zcoord"),
         *("coordz", "hohe", "hoehe", "zkoordinate", "hauteur", "coordonneez", "quota", "altezza", "niveau"),
         *("altitudine", "coordinataz", "cota", "altura", "altitud", "elevacion", "coordenadaz", "zheight"),
-        *("heightz", "zhohe", "zhoehe", "orthoheight", "elevationz", "zelevation", "reducedlevel", "rl"),
+        *(
+            "heightz",
+            "zaltitude",
+            "zhohe",
+            "zhoehe",
+            "orthoheight",
+            "elevationz",
+            "zelevation",
+            "reducedlevel",
+            "rl",
+        ),
         *("cartesianz", "zkoord"),
     ),
     "intensity": (

@@ -180,12 +180,13 @@ def refuse_double_names(
 
 
 def _refuse_two_systems(path: Path, fields: list[str], roles: Roles) -> None:
-    """Refuse names of two pairs of horizontal coordinates, such as X, Y and Easting, Northing."""
-    x, y = ([field for field in fields if simplified(field) in roles[role]] for role in COORDINATES[:2])
-    if len(x) > 1 and len(y) > 1:
-        raise InputError(
-            f"{path} has the coordinates {x[0]}, {y[0]} and {x[1]}, {y[1]}; rename those that are not wanted."
-        )
+    """Refuse two names of one horizontal coordinate; a second height may be that of a target."""
+    for role in COORDINATES[:2]:
+        names = [field for field in fields if simplified(field) in roles[role]]
+        if len(names) > 1:
+            raise InputError(
+                f"{path} has {names[0]} and {names[1]} for one coordinate; rename what is not wanted."
+            )
 
 
 def header_fields(line: str, delimiter: str) -> list[str]:

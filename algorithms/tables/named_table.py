@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Optional
 
 from ..errors import InputError
-from .column_names import Roles, recognised
+from .column_names import Roles, recognised, simplified
 from .dialect import Dialect, decimal_signs, ends_cut_off, is_comment, is_number, split, stated_delimiter
 from .encoding import read_lines
 from .header import header_fields, metres_of, partly_stated, refuse_double_names, stated_unit
@@ -90,6 +90,7 @@ def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: S
     delimiter, names = _header(path, lines, heading, roles, needed)
     columns = recognised(names, roles)
     refuse_double_names(path, names, columns, (*needed, *numbers))
+    _refuse_two_columns(path, names, roles, numbers)
     numbered = {
         number: line
         for number, line in enumerate(lines[heading + 1 :], start=heading + 2)
@@ -119,6 +120,14 @@ def read_named_table(path: Path, roles: Roles, needed: Sequence[str], numbers: S
     return NamedTable(
         path, columns, rows, Dialect(delimiter, decimal, len(names), thousands), units, _marked(path, lines)
     )
+
+
+def _refuse_two_columns(path: Path, names: Sequence[str], roles: Roles, numbers: Sequence[str]) -> None:
+    """Refuse two names of one number, such as width and Breite."""
+    for role in numbers:
+        same = [name for name in names if simplified(name) in roles[role]]
+        if len(same) > 1:
+            raise InputError(f"{path} has {same[0]} and {same[1]} for one length; rename what is not wanted.")
 
 
 def _heading(lines: list[str], roles: Roles, needed: Sequence[str]) -> int:

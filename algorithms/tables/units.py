@@ -20,6 +20,17 @@ GEODETIC = frozenset(("gon", "grad", "rad"))
 
 REFUSED = frozenset(
     (
+        *("ift", "intft", "ftint", "ftintl", "intlft", "internationalfeet", "internationalfoot", "lf"),
+        *(
+            "ussft",
+            "usfeet",
+            "usfoot",
+            "ussurveyft",
+            "ussurveyfeet",
+            "ussurveyfoot",
+            "surveyfeet",
+            "surveyfoot",
+        ),
         *("ft", "feet", "foot", "usft", "ftus", "sft", "in", "inch", "inches", "yd", "yard", "yards"),
         *("mi", "mile", "miles", "chain", "chains", "rod", "rods", "fathom", "fathoms"),
         *("fuss", "zoll", "pied", "pieds", "pouce", "pouces", "toise", "toises"),

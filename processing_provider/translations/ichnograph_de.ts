@@ -932,6 +932,11 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2 has no id; add the one of its detail.</source>
+        <translation>Zeile %1 von %2 hat keine Kennung; die ihres Details ergänzen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 of facade %2</source>
         <translation>%1 der Fassade %2</translation>
     </message>
@@ -3660,6 +3665,11 @@
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: holds values below 0, which no density has; state which value stands for none, or give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1: enthält Werte unter 0, die keine Dichte hat; angeben, welcher Wert für keinen steht, oder die Ausgabe von &#x27;densityimage&#x27; wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>INPUT %1: holds no density above 0; is it the right raster?</source>
         <translation>INPUT %1: enthält keine Dichte über 0; ist es das richtige Raster?</translation>
     </message>
@@ -4422,8 +4432,8 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
-        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
-        <translation>%1 hat die Koordinaten %2, %3 und %4, %5; die nicht gewünschten umbenennen.</translation>
+        <source>%1 has %2 and %3 for one coordinate; rename what is not wanted.</source>
+        <translation>%1 hat %2 und %3 für eine Koordinate; umbenennen, was nicht gewünscht ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
@@ -4449,6 +4459,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>The commas in %1 can be decimal signs or separators; separate the columns by semicolons, or write decimal points.</source>
         <translation>Die Kommas in %1 können Dezimal- oder Trennzeichen sein; die Spalten durch Semikolons trennen oder Dezimalpunkte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>%1 has %2 and %3 for one length; rename what is not wanted.</source>
+        <translation>%1 hat %2 und %3 für eine Länge; umbenennen, was nicht gewünscht ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/named_table.py"/>

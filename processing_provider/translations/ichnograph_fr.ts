@@ -932,6 +932,11 @@
     </message>
     <message>
         <location filename="../../algorithms/evaluation/length_lists.py"/>
+        <source>Line %1 of %2 has no id; add the one of its detail.</source>
+        <translation>La ligne %1 de %2 n&#x27;a pas d&#x27;identifiant ; ajoutez celui de son détail.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/evaluation/length_lists.py"/>
         <source>%1 of facade %2</source>
         <translation>%1 de la façade %2</translation>
     </message>
@@ -3660,6 +3665,11 @@
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <source>INPUT %1: holds values below 0, which no density has; state which value stands for none, or give the output of &#x27;densityimage&#x27;.</source>
+        <translation>INPUT %1 : contient des valeurs inférieures à 0, qu&#x27;aucune densité n&#x27;a ; indiquez quelle valeur tient lieu d&#x27;absence, ou donnez la sortie de &#x27;densityimage&#x27;.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>INPUT %1: holds no density above 0; is it the right raster?</source>
         <translation>INPUT %1 : ne contient aucune densité supérieure à 0 ; est-ce le bon raster ?</translation>
     </message>
@@ -4422,8 +4432,8 @@
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
-        <source>%1 has the coordinates %2, %3 and %4, %5; rename those that are not wanted.</source>
-        <translation>%1 a les coordonnées %2, %3 et %4, %5 ; renommez celles qui ne sont pas voulues.</translation>
+        <source>%1 has %2 and %3 for one coordinate; rename what is not wanted.</source>
+        <translation>%1 a %2 et %3 pour une coordonnée ; renommez ce qui n&#x27;est pas voulu.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/header.py"/>
@@ -4449,6 +4459,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>The commas in %1 can be decimal signs or separators; separate the columns by semicolons, or write decimal points.</source>
         <translation>Les virgules de %1 peuvent être des signes décimaux ou des séparateurs ; séparez les colonnes par des points-virgules, ou écrivez des points décimaux.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/named_table.py"/>
+        <source>%1 has %2 and %3 for one length; rename what is not wanted.</source>
+        <translation>%1 a %2 et %3 pour une longueur ; renommez ce qui n&#x27;est pas voulu.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/named_table.py"/>

@@ -10,7 +10,8 @@ import numpy as np
 from rasterio.crs import CRS
 
 from ...clouds.formats import format_of
-from ...clouds.formats.coordinate_steps import step_warning, unit_warning
+from ...clouds.formats.coordinate_steps import rounding_warning, step_warning, unit_warning
+from ...clouds.settings import PrecisionSettings
 from ...clouds.source import unreadable
 from ...errors import InputError
 from .point_layer import LOWEST_M, SUFFIXES, Feature, list_name, read_features, read_layer
@@ -155,7 +156,10 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
             *rows.warnings,
             *merged,
             *step_warning(Path(rows.source), rows.xyz),
-            *unit_warning(Path(rows.source), rows.xyz, rows.unit_stated),
+            *(
+                unit_warning(Path(rows.source), rows.xyz, rows.unit_stated)
+                or (() if rows.unit_stated else _rounded(Path(rows.source), rows.xyz))
+            ),
             *_unknown_heights(rows.source, [names[row] for row in kept], rows.xyz[kept, 2]),
         ),
         path=path,
@@ -163,6 +167,16 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
         stds=None if rows.stds is None else rows.stds[kept],
         covariances=None if rows.covariances is None else rows.covariances[kept],
     )
+
+
+def _rounded(source: Path, xyz: np.ndarray, settings: ListSettings = ListSettings()) -> tuple[str, ...]:
+    """Return a sentence on national coordinates without decimals, as a spreadsheet writes 5.81E+06."""
+    if np.abs(xyz[:, :2]).max() < settings.largest_local_m:
+        return ()
+    coarse = PrecisionSettings(
+        fewest_rounded=settings.fewest_rounded, coarsest_scale_m=settings.coarsest_step_m
+    )
+    return rounding_warning(source, xyz, settings=coarse)
 
 
 def _unknown_heights(source: str, names: list[str], heights: np.ndarray) -> tuple[str, ...]:

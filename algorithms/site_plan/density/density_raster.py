@@ -12,7 +12,7 @@ from rasterio.enums import ColorInterp
 
 from ...errors import CancelledError, InputError
 from ...raster import write_raster
-from ...reference_systems import require_metres
+from ...reference_systems import position_warning, require_metres
 from ..walls.height_gate import Heights
 from .density_image import DensityImage
 from .settings import SiteSettings
@@ -91,9 +91,16 @@ def read_density(path: Path, settings: SiteSettings = SiteSettings()) -> Density
     if any(np.isinf(values).any() for values in arrays):
         raise InputError(f"INPUT {path}: holds infinite values; give the output of 'densityimage'.")
     density, *rest = arrays
+    if (density < 0).any():
+        raise InputError(
+            f"INPUT {path}: holds values below 0, which no density has; state which value stands for none, "
+            "or give the output of 'densityimage'."
+        )
     if not (density > 0).any():
         raise InputError(f"INPUT {path}: holds no density above 0; is it the right raster?")
-    return DensityRaster(density, Heights(*rest) if rest else None, transform, crs, () if crs else (NO_CRS,))
+    middle = np.array(transform * (density.shape[1] / 2, density.shape[0] / 2))
+    warnings = position_warning(crs, middle, str(path)) if crs else (NO_CRS,)
+    return DensityRaster(density, Heights(*rest) if rest else None, transform, crs, warnings)
 
 
 def _check_size(path: Path, raster: rasterio.DatasetReader, settings: SiteSettings) -> None:

@@ -122,3 +122,10 @@ def test_a_remark_that_states_the_unit_is_honoured_and_said(write):
     found = read_reference(write("# units: mm\nid,width\n1,900\n"))
     assert found.lengths[0].length == 0.9
     assert "gives lengths in mm" in found.warnings[0]
+
+
+def test_what_can_be_read_in_two_ways_is_asked_for(write):
+    with pytest.raises(InputError, match="has width and Breite for one length; rename"):
+        read_reference(write("id;width;Breite\n1;0.9;0.8\n"))
+    with pytest.raises(InputError, match="has no id; add"):
+        read_reference(write("id;width\n1;0.9\n;0.8\n"))

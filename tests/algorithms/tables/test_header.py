@@ -121,6 +121,9 @@ def test_the_names_may_end_with_a_separator_although_the_rows_do_not():
 
 def test_two_pairs_of_horizontal_coordinates_are_asked_for():
     names = "X;Y;Z;Easting;Northing;Height\n"
-    with pytest.raises(InputError, match="has the coordinates X, Y and Easting, Northing; rename"):
+    with pytest.raises(InputError, match="has X and Easting for one coordinate; rename"):
         read_preamble(Path("list.csv"), [names], ";", 6)
+    accuracies = "#Label,X/East,Y/North,Z/Altitude,Accuracy_X,Y,Z\n"
+    with pytest.raises(InputError, match="has Y/North and Y for one coordinate; rename"):
+        read_preamble(Path("list.csv"), [accuracies], ",", 7)
     assert read_preamble(Path("list.csv"), ["X;Y;Z;Height\n"], ";", 4).columns["z"] == 2

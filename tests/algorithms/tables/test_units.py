@@ -111,3 +111,8 @@ def test_a_number_with_its_unit_is_not_a_unit():
 )
 def test_a_remark_may_be_a_unit_alone(remark, unit):
     assert unit_of_remark(remark) == unit
+
+
+@pytest.mark.parametrize("unit", ["ift", "US survey feet", "International feet", "usft", "ft (int)"])
+def test_every_foot_is_known_so_that_it_is_refused(unit):
+    assert factor_of(unit_of(f"X [{unit}]")) is None

@@ -144,3 +144,18 @@ def test_heights_that_stand_for_unknown_ones_are_said(tmp_path):
     path.write_text("name,x,y,z\nA,1.5,2.5,3.5\nB,2.5,3.5,-9999\nC,7.5,8.5,9.5\n")
 
     assert f"The height of B in {path} is below -1000 m" in read_point_list(path).warnings[0]
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ("A 4.12E+05 5.81E+06 70.1\nB 4.12E+05 5.82E+06 71.1\nC 4.13E+05 5.81E+06 72.1\n", True),
+        ("A 412345 5812345 70.1\nB 412350 5812340 71.1\n", True),
+        ("A 412345.6 5812345 70.1\nB 412350.0 5812340.3 71.1\n", False),
+        ("A 10 20 1.5\nB 15 40 2.5\n", False),
+    ],
+)
+def test_national_coordinates_without_decimals_are_said(tmp_path, rows, said):
+    (tmp_path / "a.txt").write_text("name x y z\n" + rows)
+    warnings = read_point_list(tmp_path / "a.txt").warnings
+    assert any("are rounded to" in sentence for sentence in warnings) == said

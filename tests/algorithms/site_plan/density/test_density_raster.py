@@ -143,3 +143,17 @@ def test_a_scale_and_an_offset_of_the_values_are_applied(tmp_path):
     with rasterio.open(path, "r+") as raster:
         raster.scales, raster.offsets = (0.5,), (7.0,)
     np.testing.assert_array_equal(read_density(path).density, np.full((3, 3), 7.5))
+
+
+def test_values_below_0_are_refused(tmp_path):
+    values = np.random.default_rng(0).random((20, 30))
+    values[3, 4] = -9999
+    with pytest.raises(InputError, match="holds values below 0, which no density has"):
+        read_density(write(tmp_path / "a.tif", values))
+    assert np.isnan(read_density(write(tmp_path / "b.tif", values, nodata=-9999)).density[3, 4])
+
+
+def test_a_raster_whose_system_stretches_lengths_is_a_warning(tmp_path):
+    grid = Affine(0.1, 0, 1_224_500.0, 0, -0.1, 6_106_900.0)
+    path = write(tmp_path / "a.tif", np.ones((20, 30)), transform=grid, crs="EPSG:3857")
+    assert "1.49 times those on the ground" in read_density(path).warnings[0]
