@@ -18,8 +18,9 @@ WORD = re.compile(r"[^\W\d_]+")
 SENTENCES, CLAUSES = ". ", ("\n", "; ", ": ", ", ", " (")
 """Where a text without a pattern of its own is divided into texts that may have one."""
 
-EDGES = (re.compile(r"^[\W_]+|[\W_]+$"), re.compile(r"^[\W\d_]+|[\W\d_]+$"))
-"""What stands before and after a text, which may begin or end with a number that belongs to it."""
+EDGES = (re.compile(r"^\W+|\W+$"), re.compile(r"^[\W\d_]*\W|\W[\W\d_]*$"))
+"""What stands before and after a text: no letters, but never a part of a word such as a01; with and without
+numbers, which may belong to the text."""
 
 DEEPEST = 4
 """Levels of patterns within patterns; the core has three."""

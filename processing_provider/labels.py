@@ -3,8 +3,8 @@
 import re
 from collections.abc import Mapping
 
-NOT_BEFORE, NOT_AFTER = r"(?<![\w/+=(\\.-])", r"(?![\w/+=\\-]|\.\w)"
-"""What an id never touches: parts of a path or of a picture, and an id that has its label already."""
+NOT_BEFORE, NOT_AFTER = r"(?<![\w/+=\\.-])", r"(?![\w/+=\\-]|\.\w)"
+"""What an id never touches: parts of a path or of a picture."""
 
 
 def with_labels(text: str, labels: Mapping[str, str]) -> str:
@@ -12,9 +12,13 @@ def with_labels(text: str, labels: Mapping[str, str]) -> str:
     ids = "|".join(sorted(map(re.escape, labels), key=len, reverse=True))
     if not ids:
         return text
-    return re.sub(f"{NOT_BEFORE}({ids}){NOT_AFTER}", lambda found: _named(found[1], labels), text)
+    return re.sub(f"{NOT_BEFORE}({ids}){NOT_AFTER}", lambda found: _named(found, labels), text)
 
 
-def _named(name: str, labels: Mapping[str, str]) -> str:
+def _named(found: "re.Match[str]", labels: Mapping[str, str]) -> str:
+    name, (start, end) = found[1], found.span()
+    if start and found.string[start - 1 : end + 1] == f"({name})":
+        # It has its label already.
+        return name
     # What follows a comma explains the label in the dialog.
     return f"{labels[name].partition(',')[0]} ({name})"

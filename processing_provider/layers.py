@@ -34,11 +34,12 @@ def reopen_layers(paths: Iterable[str], context: QgsProcessingContext) -> None:
             _reopen(layer)
         if not context.willLoadLayerOnCompletion(path):
             continue
+        details = context.layerToLoadOnCompletionDetails(path)
         if shown:
             # It keeps the style and the position that the user gave it.
-            context.layerToLoadOnCompletionDetails(path).setPostProcessor(None)
+            details.setPostProcessor(None)
         else:
-            layer = _open(path)
+            layer = _open(path, details.name)
             if not is_on_earth(layer):
                 forget_system(layer)
                 # QGIS takes a layer from here before it opens the file, which names a local system.
@@ -76,7 +77,7 @@ def _reopen(layer: QgsMapLayer) -> None:
     layer.triggerRepaint()
 
 
-def _open(path: str) -> QgsMapLayer:
+def _open(path: str, name: str) -> QgsMapLayer:
     if path.endswith((".tif", ".tiff")):
-        return QgsRasterLayer(path, path)
-    return QgsVectorLayer(path, path, "ogr")
+        return QgsRasterLayer(path, name)
+    return QgsVectorLayer(path, name, "ogr")

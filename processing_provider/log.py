@@ -42,4 +42,4 @@ class Log:
         # The core repeats its message with every chunk.
         if message and message != self._last_message:
             self._last_message = message
-            self._feedback.setProgressText(translated(message))
+            self._feedback.setProgressText(with_labels(translated(message), self._labels))

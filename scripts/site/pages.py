@@ -44,6 +44,7 @@ CONTENTS = {
         "docs/performance",
         "docs/inputs",
         "docs/robustness",
+        "docs/releases",
         "docs/constants",
         "docs/sensitivity",
         "docs/glossary",

@@ -123,6 +123,7 @@ def test_a_model_loads_its_layers_as_its_algorithms_do(seen):
     assert [layer["name"] for layer in drawn["layers"]] == ["Elevation", "Orthoimage"]
     assert {layer["system"] for layer in drawn["layers"]} == {None}
     assert drawn["layers"][0]["renderer"] == run_of(seen, "facade")["layers"][0]["renderer"]
+    assert drawn["layouts"] == ["Elevation 1:50"]
 
 
 def test_the_history_keeps_models(seen):

@@ -9,6 +9,7 @@ CATALOGUE = Catalogue(
         "%1 is not registered (%2): %3": "%1 ist nicht registriert (%2): %3",
         "Rooms: %1, %2 m².": "Räume: %1, %2 m².",
         "%2 of %1": "unused",
+        "Matching %1": "%1 wird zugeordnet",
         "%1 m in %2": "%1 m in %2",
         "%1 by the %2": "%1 am „%2“",
         "of %1, %2 were read": "%2 wurden von %1 gelesen",
@@ -26,6 +27,7 @@ CATALOGUE = Catalogue(
     ("english", "german"),
     [
         ("too few", "zu wenige"),
+        ("Matching house_01", "house_01 wird zugeordnet"),
         ("Rooms: 4, 61.20 m².", "Räume: 4, 61.20 m²."),
         ("of a.laz, 3 were read", "3 wurden von a.laz gelesen"),
     ],

@@ -10,6 +10,7 @@ LABELS = {"MIN_HEIGHT": "Least height", "HEIGHT": "Height", "CRS": "Coordinate r
     ("text", "expected"),
     [
         ("Lower MIN_HEIGHT, or set CRS.", "Lower Least height (MIN_HEIGHT), or set "),
+        ("16 regions (HEIGHT 3 m)", "16 regions (Height (HEIGHT) 3 m)"),
         ("HEIGHT 3 m is not MIN_HEIGHT", "Height (HEIGHT) 3 m is not Least height (MIN_HEIGHT)"),
     ],
 )
