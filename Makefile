@@ -175,6 +175,10 @@ facade-peers: setup  ## Print how long a facade takes, and how planes and outlin
 sensitivity: setup  ## Print what each constant costs if it is 30 % smaller or larger
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.sensitivity
 
+.PHONY: idle-constants
+idle-constants: setup  ## Print the constants that change no result on any scene if they are 30 % smaller or larger
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.idle_constants
+
 cancel: setup  ## Print how long a cancel takes, and the longest time without progress, for every algorithm (POINTS=, CPU=)
 	$(RUN) -m ichnograph.benchmarks.cancel $(if $(POINTS),--points $(POINTS)) $(if $(CPU),--cpu)
 
