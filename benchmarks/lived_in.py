@@ -24,7 +24,7 @@ from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import make_site_plan
 from ichnograph.tests.scenes import Scan, Scene
 from ichnograph.tests.scenes.__main__ import write_laz
-from ichnograph.tests.scenes.judging import phantom_length
+from ichnograph.tests.scenes.judging import phantom_length, seen_share
 from ichnograph.tests.scenes.lived_in import LIVED_IN
 from shapely.geometry import MultiLineString, Polygon
 from shapely.ops import unary_union
@@ -34,6 +34,9 @@ TOLERANCE, SEARCH = 0.05, 0.20
 
 AROUND = 20.0
 """Phantoms are looked for so far around a building, metres."""
+
+SEEN_ROOM = 0.9
+"""Who draws a plan leaves out rooms of which less was seen, because their far end is not known."""
 
 REVEAL = 0.2
 """Opposite lines of an opening are no farther apart than twice this, metres."""
@@ -61,15 +64,18 @@ def placed(name: str, seed: int) -> Scene:
 
 
 def truth_of(scene: Scene, scan: Scan) -> DrawnPlan:
-    """Return the truth of a scan as a drawn plan."""
-    outlines = [ring for part in scene.truth.geoms for ring in (part.exterior, *part.interiors)]
+    """Return the truth of a scan as a drawn plan, by the rules of plans that people draw from scans."""
+    whole: list[Polygon] = []
+    cut_short = list(scene.doubtful_rooms)
+    for room in scene.rooms:
+        (whole if seen_share(room, scan.points) >= SEEN_ROOM else cut_short).append(room)
     return DrawnPlan(
         demanded=scan.seen_boundary,
-        allowed=MultiLineString([ring.coords for ring in outlines]),
-        neutral=MultiLineString(scene.openings),
+        allowed=scene.faces,
+        neutral=MultiLineString([*scene.openings, *scene.fitted]),
         judged=scene.truth.envelope.buffer(AROUND),
-        rooms=tuple(scene.rooms),
-        optional_rooms=tuple(scene.doubtful_rooms),
+        rooms=tuple(whole),
+        optional_rooms=tuple(cut_short),
     )
 
 

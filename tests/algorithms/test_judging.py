@@ -5,7 +5,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ichnograph.tests.scenes import SCENES
-from ichnograph.tests.scenes.judging import closed_spaces, phantom_length, room_errors, thickness_errors
+from ichnograph.tests.scenes.judging import (
+    closed_spaces,
+    phantom_length,
+    room_errors,
+    seen_share,
+    thickness_errors,
+)
 from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, MultiPolygon, box
 from shapely.ops import unary_union
@@ -71,3 +77,10 @@ def test_a_phantom_is_as_long_as_its_longest_side_but_for_what_is_close():
     assert phantom_length(unary_union([ROOM, cupboard, thick]), ROOM) == pytest.approx(1.5)
     bush = LineString([(7, 2), (7.4, 2)]).buffer(0.3)
     assert 0.3 < phantom_length(ROOM.union(bush), ROOM) < 0.9
+
+
+@pytest.mark.parametrize("east, share", [(4.0, 1.0), (2.0, 0.5), (0.0, 0.0)])
+def test_a_room_is_seen_as_far_as_points_lie_in_it_at_any_height(east, share):
+    x, y = np.meshgrid(np.arange(0.05, 4.0, 0.1), np.arange(0.05, 3.0, 0.1))
+    points = np.column_stack([x.ravel(), y.ravel(), (7 * x.ravel()) % 2.5])
+    assert seen_share(box(0, 0, 4, 3), points[points[:, 0] < east]) == pytest.approx(share, abs=0.05)

@@ -126,6 +126,24 @@ def test_furniture_stands_clear_of_doors_and_of_other_furniture():
         assert not any(thing.footprint.intersects(other.footprint) for other in things[number + 1 :])
 
 
+def test_only_furniture_that_reaches_the_ceiling_may_be_taken_for_wall():
+    random = np.random.default_rng(0)
+    for _ in range(20):
+        (case,) = bookcase(random, Room(box(0, 0, 5, 5), 2.7))
+        assert (case.material == "fitted") == (case.top > 2.65)
+        scene = Scene("test", (case,), np.array([[2.5, 2.5, 1.5]]))
+        assert len(scene.fitted) == (case.material == "fitted")
+
+
+def test_at_a_window_parapet_reveals_and_pane_may_be_drawn():
+    ends = (Prism(box(0, 0, 2, 0.4), 2.7), Prism(box(3, 0, 5, 0.4), 2.7))
+    parapet, pane = Prism(box(2, 0, 3, 0.4), 0.9), Prism(box(2, 0.2, 3, 0.22), 2.2, 0.9, "glass")
+    scene = Scene("test", (*ends, parapet, pane), np.array([[2.5, -2.0, 1.5]]))
+    for line in ([(2, 0), (3, 0)], [(2, 0), (2, 0.4)], [(2, 0.2), (3, 0.2)]):
+        assert LineString(line).difference(scene.faces.buffer(1e-5)).is_empty
+    assert scene.truth.boundary.distance(Point(2, 0.2)) > 0.1
+
+
 def test_a_curtain_hangs_in_folds():
     cloth = curtain(np.random.default_rng(0), LineString([(0, 0), (2, 0)]), 2.4)
     south, north = cloth.footprint.bounds[1::2]

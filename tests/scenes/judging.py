@@ -35,6 +35,9 @@ SMALLEST_ROOM = 1.5
 SEEN_SHARE = 0.95
 """Share of the boundary of a room that must have been seen for its area to be compared."""
 
+CELL = 0.25
+"""Rooms are looked through in cells so wide (m)."""
+
 
 def thickness_errors(walls: BaseGeometry, truth: BaseGeometry, seen: BaseGeometry) -> np.ndarray:
     """Return the errors of the thickness of walls, at sections across true walls with both faces seen.
@@ -104,6 +107,17 @@ def phantom_length(walls: BaseGeometry, truth: BaseGeometry) -> float:
     phantoms = walls.difference(truth.buffer(OFF))
     lengths = [_extent(part) for part in getattr(phantoms, "geoms", [phantoms]) if not part.is_empty]
     return max(lengths, default=0.0)
+
+
+def seen_share(room: Polygon, points: np.ndarray) -> float:
+    """Return the share of the cells within a room that hold one of `points`, shape (n, 3), at any height."""
+    inside = room.buffer(-CELL / 2)
+    west, south, east, north = inside.bounds
+    columns, rows = np.arange(west, east, CELL), np.arange(south, north, CELL)
+    within = np.array([[inside.contains(Point(x, y)) for y in rows] for x in columns])
+    edges = [np.append(middles, middles[-1] + CELL) - CELL / 2 for middles in (columns, rows)]
+    counts = np.histogram2d(points[:, 0], points[:, 1], bins=edges)[0]
+    return float((counts[within] > 0).mean())
 
 
 def _extent(shape: BaseGeometry) -> float:

@@ -12,7 +12,7 @@ from shapely.geometry import LineString, MultiLineString, MultiPolygon, Polygon
 
 from .scanner import Optics, flatten, panorama, surround
 from .things import Ground, Mirror, Plant, Prism
-from .truth import dissolved, is_footing, is_wall, seen_boundary
+from .truth import dissolved, is_cut, is_footing, is_wall, seen_boundary
 
 LOWEST_RAY = -60.0
 HIGHEST_RAY = 90.0
@@ -136,6 +136,27 @@ class Scene:
     def truth(self) -> MultiPolygon:
         """Footprints of the walls that rise at least 0.8 m above the ground."""
         return self.pose.geometry(self._local_truth)
+
+    @property
+    def faces(self) -> MultiLineString:
+        """All that may be drawn: outlines of the truth and of the walls as they are cut, and panes.
+
+        At a window over a parapet both the reveals and the face of the parapet are right.
+        """
+        panes = [prism.footprint for prism in self.prisms if prism.material == "glass"]
+        cut = [prism.footprint for prism in self.prisms if is_cut(prism, self.ground)]
+        drawn = [*self._local_truth.geoms, *dissolved(cut).geoms, *panes]
+        rings = [ring for part in drawn for ring in (part.exterior, *part.interiors)]
+        return self.pose.geometry(MultiLineString([ring.coords for ring in rings]))
+
+    @property
+    def fitted(self) -> list[LineString]:
+        """Outlines of furniture that reaches the ceiling, of which no point shows that it is not wall."""
+        return [
+            self.pose.geometry(LineString(prism.footprint.exterior.coords))
+            for prism in self.prisms
+            if prism.material == "fitted"
+        ]
 
     @cached_property
     def footings(self) -> MultiPolygon:

@@ -10,6 +10,7 @@ REFLECTANCE = {
     "lintel": 0.7,
     "slab": 0.8,
     "furniture": 0.45,
+    "fitted": 0.45,
     "rubble": 0.6,
     "trunk": 0.3,
     "person": 0.35,

@@ -10,6 +10,9 @@ from .scanner import Bodies
 from .things import Ground, Prism
 
 LOWEST_WALL = 0.8
+CUT = 1.1
+"""Height above the ground at which plans are drawn (m)."""
+
 FEWEST_HITS = 3
 # Far above the rounding of coordinates, far below the noise of a scan.
 SNAP = 1e-6
@@ -30,6 +33,13 @@ def is_wall(prism: Prism, ground: Ground) -> bool:
 def is_footing(prism: Prism, ground: Ground) -> bool:
     """Whether `prism` is a wall too low to be found."""
     return prism.material == "wall" and prism.rise(ground) < LOWEST_WALL
+
+
+def is_cut(prism: Prism, ground: Ground) -> bool:
+    """Whether `prism` is a wall where plans are cut."""
+    middle = prism.footprint.representative_point()
+    cut = ground.height(middle.x, middle.y) + CUT
+    return prism.material == "wall" and prism.bottom < cut and prism.rise(ground) > CUT
 
 
 def seen_boundary(

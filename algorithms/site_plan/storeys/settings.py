@@ -57,6 +57,7 @@ class LevelSettings:
         0.80, "Vertical part of the normal: floors and ceilings slope by at most 37 degrees."
     )
     lowest_storey_m: float = physical(1.9, "People cannot stand under a lower ceiling.")
+    eye_m: tuple[float, float] = physical((1.0, 1.7), "Between sills and lintels, an opening is open.")
     storey_share: float = judged(0.25, "A floor or a ceiling holds this share of the largest flat layer.")
     largest_frame_px: int = physical(200_000_000, "A square of 280 m; more pixels exhaust the memory.")
 
@@ -148,6 +149,12 @@ class CutSettings:
     unexplained_m: float = judged(
         0.10, "A tall face with the same on both sides costs a partition's thickness."
     )
+    closed_share: float = judged(0.8, "A wall is full up to the ceiling, and the leaf of a door ends below.")
+    between_share: float = judged(0.6, "A cell within a partition has little else around it than its faces.")
+    partition_m: float = physical(0.3, "Pieces of partitions between two doors are longer.")
+    thinnest_m: float = physical(0.06, "Partitions of boards are 7 cm thick; a face found twice is thinner.")
+    thickest_m: float = physical(0.3, "Floor and ceiling are not mistaken within thicker walls.")
+    filled_core: float = judged(0.5, "Noise shows floor or ceiling on less of the core of a partition.")
     parting: float = judged(0.3, "A border so full above furniture parts furniture from a wall.")
     tall_m: float = physical(1.9, "Most furniture is lower, and columns and cores are higher.")
     tall_levels: float = judged(2.0, "A single level above furniture may be what lies on top of it.")
@@ -160,7 +167,6 @@ class RoomSettings:
     widest_opening_m: float = judged(2.5, "Wider passages under a lintel join two parts of one room.")
     widest_window_m: float = judged(4.0, "Windows over a sill are seldom wider.")
     head_m: float = physical(1.9, "Lintels are above the heads of people.")
-    eye_m: tuple[float, float] = physical((1.0, 1.7), "Between sills and lintels, an opening is open.")
     lintel_levels: float = judged(1.5, "A lintel is at least so many levels high.")
     parapet_levels: float = judged(5.0, "A parapet is at least so many levels high.")
     open_share: float = judged(0.5, "An opening with surface on more of its levels at eye height is shut.")

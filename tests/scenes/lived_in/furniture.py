@@ -13,6 +13,9 @@ from ..things import Prism
 
 TRIES = 30
 
+FITTED = 0.05
+"""Nothing is seen over furniture that ends so near below the ceiling."""
+
 
 @dataclass
 class Room:
@@ -89,11 +92,12 @@ class Room:
 
 
 def bookcase(random: np.random.Generator, room: Room) -> list[Prism]:
-    """Return a bookcase that nearly reaches the ceiling."""
+    """Return a bookcase that nearly reaches the ceiling; over a lower one the wall is seen."""
     length, gap = random.uniform(1.0, 2.8), random.uniform(0.0, 0.02)
-    top = room.ceiling - random.choice([0.0, 0.03, 0.25])
+    below = random.choice([0.0, 0.03, 0.25])
+    material = "fitted" if below < FITTED else "furniture"
     return [
-        Prism(footprint, top, material="furniture")
+        Prism(footprint, room.ceiling - below, material=material)
         for footprint in room.along_wall(random, length, random.uniform(0.25, 0.35), gap, high=True)
     ]
 

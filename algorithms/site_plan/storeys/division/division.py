@@ -21,7 +21,7 @@ from .arrangement import (
     seen_and_unseen,
     sheet_lines,
 )
-from .explaining import give_back
+from .explaining import fill_between, give_back
 from .minimum_cut import minimum_cut
 from .outlines import united
 
@@ -114,8 +114,25 @@ def divide(
     is_room = minimum_cut(unseen, seen, arrangement.sides[inner], cost[inner])
     division = _filled(replace(division, is_room=np.r_[is_room, False]), settings)
     fullness = np.where(tracks.within, np.minimum(tall / _usual_heads(heads, settings), 1), 0)
-    borders = arrangement.sides, arrangement.lengths, cost, fullness
-    return replace(division, is_room=give_back(division.is_room, unseen - seen, *borders, settings))
+    low, high = (round(height / levels.level_m) for height in levels.eye_m)
+    eye = uprights.mean_levels(arrangement.ends, (1 << high) - (1 << low)) / (high - low)
+    return _explained(division, unseen - seen, cost, fullness, np.minimum(fullness, eye), settings)
+
+
+def _explained(
+    division: Division,
+    unseen: np.ndarray,
+    cost: np.ndarray,
+    tall: np.ndarray,
+    closed: np.ndarray,
+    settings: CutSettings,
+) -> Division:
+    """Return a division whose tall faces have room on one side and solid on the other, where it can be."""
+    borders = division.arrangement.sides, division.arrangement.lengths, cost
+    areas = np.array([cell.area for cell in division.arrangement.cells])
+    is_room = give_back(division.is_room, unseen, *borders, tall, settings)
+    closed = np.where(closed < settings.closed_share, 0, closed)
+    return replace(division, is_room=fill_between(is_room, unseen, areas, *borders, closed, settings))
 
 
 def _costs(division: Division, usual: float, settings: CutSettings) -> np.ndarray:

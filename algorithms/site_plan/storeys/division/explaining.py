@@ -1,4 +1,8 @@
-"""What the cut leaves before walls: furniture whose back is a better face than its front."""
+"""What the cut cannot see: that a tall face was seen from one side, and has a wall on the other.
+
+Furniture is left before walls whose back is a better face than its front, and thin partitions are lost where
+the noise of floor and ceiling fills their core.
+"""
 
 import numpy as np
 
@@ -62,3 +66,61 @@ def give_back(
             break
         is_room[solid & (group == best)] = True
     return is_room
+
+
+def fill_between(
+    is_room: np.ndarray,
+    unseen: np.ndarray,
+    areas: np.ndarray,
+    sides: np.ndarray,
+    lengths: np.ndarray,
+    cost: np.ndarray,
+    closed: np.ndarray,
+    settings: CutSettings = CutSettings(),
+) -> np.ndarray:
+    """Make solid of cells between the two faces of a partition that would otherwise have room on both sides.
+
+    The opposite of `give_back`, cell by cell: so that pieces of a partition between crossing lines are judged
+    together, what is shorter or thinner than partitions becomes room again in the end. Parameters as those of
+    `give_back`, but two.
+
+    Parameters
+    ----------
+    areas : ndarray of float, shape (cells,)
+        Of the cells, m2.
+    closed : ndarray of float, shape (borders,)
+        How full a border is at eye level and above, 0 to 1, so that openings are empty.
+    """
+    found, count = is_room.copy(), len(is_room)
+    gain = cost - settings.unexplained_m * lengths * closed
+    hidden = np.append(-unseen < settings.filled_core * areas, False)
+    areas = np.append(areas, np.inf)
+    for _ in range(PASSES):
+        change, rim, faced = np.append(-unseen, np.inf), np.zeros(count), np.zeros(count)
+        for own, other in (sides.T, sides.T[::-1]):
+            beside = found[other]
+            np.add.at(change, own, np.where(beside, gain, -gain))
+            rim += np.bincount(own[beside] % count, lengths[beside], count)
+            faced += np.bincount(own[beside] % count, (lengths * (closed > 0))[beside], count)
+        between = hidden & (faced > settings.between_share * rim) & (2 * areas <= settings.thickest_m * faced)
+        change[~found | ~between] = np.inf
+        best = int(np.argmin(change))
+        if change[best] > -LEAST:
+            break
+        found[best] = False
+    return found | _are_scraps(is_room & ~found, areas, sides, lengths * (closed > 0), settings)
+
+
+def _are_scraps(
+    filled: np.ndarray, areas: np.ndarray, sides: np.ndarray, faces: np.ndarray, settings: CutSettings
+) -> np.ndarray:
+    """Return the filled cells that together are shorter or thinner than partitions."""
+    count = len(filled)
+    first, second = sides[filled[sides].all(axis=1)].T
+    part = label_linked(first, second, count)
+    rim = filled[sides].sum(axis=1) == 1
+    owner = part[np.where(filled[sides[rim, 0]], sides[rim, 0], sides[rim, 1])]
+    faced = np.bincount(owner, faces[rim], count)
+    area = np.bincount(part, np.where(filled, areas, 0), count)
+    scrap = (faced < 2 * settings.partition_m) | (2 * area < settings.thinnest_m * faced)
+    return filled & scrap[part]

@@ -125,7 +125,7 @@ def _openings(
     open_, over_sill, edge = np.zeros((3, len(borders)), bool)
     found = _Openings(open_, over_sill, edge, [])
     ends, length = borders[candidate], division.arrangement.lengths[candidate]
-    head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *settings.eye_m))
+    head, low, high = (round(z / levels.level_m) for z in (settings.head_m, *levels.eye_m))
     masks = (-1 << head, (1 << high) - (1 << low), (1 << low) - 2)
     surface = np.array([uprights.mean_levels(ends, mask) for mask in masks])
     leaves = leaves_roof(ends, roof, settings)
