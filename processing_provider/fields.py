@@ -97,6 +97,26 @@ ALIASES = {
 """Aliases by the names of the fields, which are the same in all layers."""
 
 
+DIGITS = {
+    **dict.fromkeys(("x0", "y0", "z0", "width", "height", "sill", "depth", "wall_depth", "distance"), 3),
+    **dict.fromkeys(("area", "azimuth", "tilt"), 3),
+    **dict.fromkeys(("nx", "ny", "nz"), 6),
+}
+"""Decimals that are shown of fields whose values are exact, because coordinates are computed from them."""
+
+
+def digits_of(fields: list[str]) -> str:
+    """Return how many decimals of the fields of a layer are shown, as the element of a QML style."""
+    rows = [
+        f'<field name="{name}"><editWidget type="Range"><config><Option type="Map">'
+        f'<Option type="int" name="Precision" value="{DIGITS[name]}"/>'
+        "</Option></config></editWidget></field>"
+        for name in fields
+        if name in DIGITS
+    ]
+    return f"<fieldConfiguration>{''.join(rows)}</fieldConfiguration>"
+
+
 def aliases_of(fields: list[str]) -> str:
     """Return the aliases of a layer with `fields`, as the element of a QML style."""
     rows = [

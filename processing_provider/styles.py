@@ -21,7 +21,7 @@ from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtXml import QDomDocument
 from qgis.utils import iface
 
-from .fields import aliases_of
+from .fields import aliases_of, digits_of
 from .language import translated
 
 STYLES = Path(__file__).parent / "styles"
@@ -48,7 +48,8 @@ def style_of(name: str, file: Path, values: dict[str, Any]) -> str:
     measured = next((measure(file) for variable, measure in MEASURES.items() if variable in style), {})
     text = Template(style).substitute({**values, **measured})
     text = LABEL.sub(lambda found: escape(translated(unescape(found[0]))), text)
-    return text.replace("</qgis>", f"{aliases_of(_fields(file))}</qgis>")
+    fields = _fields(file)
+    return text.replace("</qgis>", f"{digits_of(fields)}{aliases_of(fields)}</qgis>")
 
 
 def _fields(file: Path) -> list[str]:
