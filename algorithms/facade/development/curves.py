@@ -104,19 +104,47 @@ class Chain:
 
     def flat(self, xy: np.ndarray) -> np.ndarray:
         """Return points in plan, shape (n, 2), moved to the plane, each with the side nearest to it."""
+        sides, along, away = self._beside(xy)
+        moved = np.column_stack([self._starts[sides] + along, away])
+        return np.asarray(self.anchor + moved @ axes_of(self.azimuth))
+
+    def goes_on(self, xy: np.ndarray, reach: float) -> np.ndarray:
+        """Return which points in plan, shape (n, 2), are behind a side but on the line of another one.
+
+        Such is the wall above a bay.
+
+        Parameters
+        ----------
+        xy : ndarray of float64, shape (n, 2)
+        reach : float
+            Points this near to the line are on it (m).
+        """
+        sides, _, away = self._beside(xy)
+        on_line = np.zeros(len(xy), bool)
+        for corner, out in zip(self.corners, self._outs):
+            ends = np.abs((self.corners - corner) @ out)
+            # Sides on both sides of a bay are on one line.
+            another = np.maximum(ends[:-1], ends[1:]) > 4 * reach
+            on_line |= another[sides] & (np.abs((xy - corner) @ out) <= reach)
+        # The points of the side itself scatter by less.
+        return np.asarray(on_line & (away < -0.3 * reach))
+
+    def _beside(self, xy: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the side nearest to each point, how far along it that is, and how far outward."""
         last = len(self._lengths) - 1
-        best, moved = np.full(len(xy), np.inf), np.zeros((len(xy), 2))
+        best, sides = np.full(len(xy), np.inf), np.zeros(len(xy), np.int64)
+        along, away = np.zeros(len(xy)), np.zeros(len(xy))
         for side in range(last + 1):
             local = xy - self.corners[side]
-            along, away = local @ self._rights[side], local @ self._outs[side]
+            own, out = local @ self._rights[side], local @ self._outs[side]
             low = -np.inf if side == 0 else 0.0
             high = np.inf if side == last else self._lengths[side]
-            inside = np.clip(along, low, high)
-            distance = np.hypot(along - inside, away)
+            inside = np.clip(own, low, high)
+            distance = np.hypot(own - inside, out)
             nearer = distance < best
-            best[nearer] = distance[nearer]
-            moved[nearer] = np.column_stack([self._starts[side] + inside, away])[nearer]
-        return np.asarray(self.anchor + moved @ axes_of(self.azimuth))
+            best[nearer], sides[nearer] = distance[nearer], side
+            along[nearer], away[nearer] = inside[nearer], out[nearer]
+        return sides, along, away
 
     def site(self, xy: np.ndarray) -> np.ndarray:
         """Return points in the plane, shape (n, 2), moved back to the sides."""

@@ -8,7 +8,7 @@ import numpy as np
 from ...errors import NothingFoundError
 from ..elevation import Plane, Points
 from .circles import find_circle
-from .curves import Circle, Curve, axes_of
+from .curves import Chain, Circle, Curve, axes_of
 from .polygonal_walls import find_sides
 from .settings import DevelopmentSettings
 
@@ -62,6 +62,8 @@ class Development:
         low, high = self._ends
         along = self._along(xyz[:, :2])
         kept &= (along > low - self.settings.beside_m) & (along < high + self.settings.beside_m)
+        if isinstance(self.curve, Chain):
+            kept &= ~self.curve.goes_on(points.xyz[:, :2], self.settings.on_line_m)
         kept = np.flatnonzero(kept)
         stations = None if points.stations is None else self._moved(points.stations)
         return replace(points.subset(kept), xyz=xyz[kept], stations=stations)

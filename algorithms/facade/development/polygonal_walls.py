@@ -136,8 +136,11 @@ def _gap(side: _Side, other: _Side, sense: int, settings: SidesSettings) -> Opti
         return None
     corner = _corner(side, other)
     ends = (side.stop, other.start) if sense > 0 else (side.start, other.stop)
-    gap = float(max(np.linalg.norm(end - corner) for end in ends))
-    return gap if gap <= settings.corner_m else None
+    # Positive beyond the corner: behind the oblique side of a bay, its wall may go on.
+    beyond = [sense * float((ends[0] - corner) @ side.right), sense * float((corner - ends[1]) @ other.right)]
+    if any(not -settings.corner_m <= length <= settings.beyond_m for length in beyond):
+        return None
+    return max(map(abs, beyond))
 
 
 def _corner(one: _Side, other: _Side) -> np.ndarray:

@@ -40,6 +40,7 @@ class SidesSettings:
     corner_m: float = judged(
         0.6, "Two sides meet if their ends are this near to the corner; planes have squares of 25 cm."
     )
+    beyond_m: float = physical(1.0, "Behind the oblique side of a bay, its wall goes on by less.")
     least_deg: float = judged(10.0, "Sides that turn by less are one wall.")
     most_deg: float = physical(75.0, "Sharper corners are those of buildings, with another facade beyond.")
     least_height: float = judged(0.4, "A side has this part of the height of the main one.")
@@ -57,6 +58,9 @@ class DevelopmentSettings:
     reach_m: float = judged(15.0, "The wall may turn up to this far beyond the ends of the chosen facade.")
     beside_m: float = judged(1.5, "What stands this far beyond the ends of the sides is kept.")
     same_m: float = judged(0.3, "A facade this near to a wall that is rolled out is a part of it.")
+    on_line_m: float = judged(
+        0.05, "Above a bay, what is this near to the line of the wall is wall, and not seen through a hole."
+    )
     before_m: float = judged(12.0, "What is farther before the wall is left out.")
     behind_m: float = judged(6.0, "What is farther behind it is left out, as with any facade.")
     inner: float = judged(0.8, "Of a tower, what lies beyond this part of its radius is left out.")

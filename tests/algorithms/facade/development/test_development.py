@@ -37,6 +37,13 @@ def test_what_lies_far_before_and_behind_is_left_out_and_stations_move_with_the_
     assert len(develop(points, SIDES, None, 0.05).flat(points).xyz) == len(points.xyz) - 2
 
 
+def test_the_wall_above_a_bay_is_not_seen_behind_it_but_its_room_is():
+    chain = develop(bare(sides(BAY), ORIGIN), SIDES, None, 0.05).curve
+    above, room, wall = sides([(3.2, 0), (6.4, 0)]), sides([(3.5, 1.5), (6.0, 1.5)]), sides(BAY)
+    assert chain.goes_on(above[:, :2], 0.05).all()
+    assert not chain.goes_on(np.concatenate([room, wall])[:, :2], 0.05).any()
+
+
 def test_points_on_the_wall_are_held_and_others_are_not():
     development = develop(bare(sides(BAY), ORIGIN), SIDES, None, 0.05)
     assert development.holds(np.array([3.4, -0.4])) and not development.holds(np.array([4.8, 5.0]))

@@ -25,6 +25,18 @@ def test_above_a_bay_the_wall_may_go_on():
     np.testing.assert_allclose(chain.corners[1:-1], np.array(BAY)[1:-1], atol=0.02)
 
 
+def test_behind_the_side_of_a_bay_the_wall_may_go_on():
+    (foot, _), (right, _) = BAY[4], BAY[-1]
+    behind = sides([(foot - 0.7, 0), (right, 0)])
+    chain = find_sides(np.concatenate([sides(BAY), behind]), SOUTH, DISTANCE)
+    np.testing.assert_allclose(chain.corners[1:-1], np.array(BAY)[1:-1], atol=0.02)
+
+
+def test_an_oblique_wall_that_meets_a_facade_amid_it_does_not_cut_it():
+    beside = sides([(4, 0), (7, -3)])
+    assert find_sides(np.concatenate([sides([(0, 0), (8, 0)]), beside]), None, DISTANCE) is None
+
+
 def test_the_main_side_is_the_wanted_one():
     other = Plane(np.array([0.0, -1.0, 0.0]), np.array([1.5, 0.0, 2.0]), 0.002, 100)
     assert find_sides(sides(BAY), other, DISTANCE).main == 0
