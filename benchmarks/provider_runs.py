@@ -70,6 +70,7 @@ class ProviderRuns:
         results: dict[str, Any] = processing.run(
             f"ichnograph:{algorithm}", {**outputs, **parameters}, feedback=feedback
         )
+        _remove_layouts()
         return results
 
     def _output(self, algorithm: str, item: Any) -> str:
@@ -179,3 +180,15 @@ class ProviderRuns:
         path = self.folder / f"{name}.txt"
         np.savetxt(path, xyz, "%.5f")
         return str(path)
+
+
+def _remove_layouts() -> None:
+    """Remove what `planlayout` adds to the project; the event loop of the desktop deletes its objects."""
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtCore import QCoreApplication, QEvent
+
+    manager = QgsProject.instance().layoutManager()
+    if manager.layouts():
+        manager.clear()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QCoreApplication.processEvents()
