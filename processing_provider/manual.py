@@ -11,7 +11,9 @@ from .desktop import on_desktop
 
 DOCS = Path(__file__).parents[1] / "docs"
 ONLINE = "https://github.com/ichnograph/ichnograph/blob/main/docs"
-STYLE = "<style>body{max-width:50em;margin:2em auto;font-family:sans-serif}td{padding:2px 8px}</style>"
+STYLE = (
+    "<style>body{max-width:50em;margin:2em auto;font-family:sans-serif!important}td{padding:2px 8px}</style>"
+)
 
 
 def page_url(name: str) -> str:

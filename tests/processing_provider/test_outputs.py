@@ -168,7 +168,7 @@ def test_temporary_outputs_are_files_too(run, room):
 def test_a_parameter_that_does_not_exist_is_reported(run, room, tmp_path, feedback):
     run("thincloud", feedback, INPUT=[room], SPACNIG=0.2, OUTPUT=str(tmp_path / "thin.laz"))
 
-    assert "thincloud has no parameter SPACNIG; it is ignored." in feedback.warnings
+    assert "Thin laser scans (thincloud) has no parameter SPACNIG; it is ignored." in feedback.warnings
 
 
 def read(path):
