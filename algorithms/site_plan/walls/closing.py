@@ -5,14 +5,21 @@ from typing import Optional
 import numpy as np
 from scipy import ndimage
 
+from .settings import ClosingSettings
+
 
 def close_gaps(
-    walls: np.ndarray, pixel_size: float, gap: float, open_ground: Optional[np.ndarray] = None
+    walls: np.ndarray,
+    pixel_size: float,
+    gap: float,
+    open_ground: Optional[np.ndarray] = None,
+    settings: ClosingSettings = ClosingSettings(),
 ) -> np.ndarray:
     """Close gaps up to a width between faces, by a round structuring element, and fill holes.
 
     Where the heights are known, ground that was seen is kept open, so that a door is not walled up. A hole in
     which no ground was seen is filled up to twice the gap: between the faces of a thick wall or of a column.
+    Where nothing shows the ground, as in a slice, it may be a small room if it is wider than a wall is thick.
 
     Parameters
     ----------
@@ -22,6 +29,7 @@ def close_gaps(
         Metres. A gap of 0 closes nothing.
     open_ground : ndarray of bool, shape (rows, columns), optional
         Pixels in which the ground itself was seen and nothing rises above it.
+    settings : ClosingSettings
     """
     if gap <= 0:
         return walls
@@ -32,7 +40,8 @@ def close_gaps(
         proof = ndimage.binary_opening(open_ground & ~walls, np.ones((2, 2)))
     closed = walls | (_closed(walls, width) & ~proof)
     joined = ndimage.binary_propagation(walls, np.ones((3, 3)), mask=closed)
-    return _fill_holes(joined, 2 * width, proof)
+    widest = 2 * gap if open_ground is not None else min(2 * gap, max(gap, settings.seen_m))
+    return _fill_holes(joined, widest / pixel_size, proof)
 
 
 def _closed(walls: np.ndarray, gap: float) -> np.ndarray:

@@ -190,7 +190,7 @@ def extract_wall_pixels(
         raise NothingFoundError(_what_removed(gate, parameters, criteria, steps))
     progress.update(1.0, "Closing gaps")
     gap = parameters.gap(gate, settings.closing)
-    walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground)
+    walls = close_gaps(votes > 0, pixel_size, gap, gate.open_ground, settings.closing)
     progress.check()
     walls = bridge_corners(walls, gated)
     return WallImage(walls, votes, gated, gate, thresholds, tuple(steps), gap, criteria, parameters, settings)

@@ -95,7 +95,8 @@ def fill_between(
     gain = cost - settings.unexplained_m * lengths * closed
     hidden = np.append(-unseen < settings.filled_core * areas, False)
     areas = np.append(areas, np.inf)
-    for _ in range(PASSES):
+    # Each round fills one cell, so that it ends.
+    while True:
         change, rim, faced = np.append(-unseen, np.inf), np.zeros(count), np.zeros(count)
         for own, other in (sides.T, sides.T[::-1]):
             beside = found[other]

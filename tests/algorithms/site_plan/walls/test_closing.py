@@ -84,6 +84,10 @@ def test_the_inside_of_a_column_is_filled_in_a_slice_and_that_of_a_cabin_is_not(
     assert not close_gaps(ring(12), 0.1, 0.4)[13:21, 13:21].any()
 
 
+def test_a_small_room_in_a_slice_is_not_filled_because_wider_gaps_are_closed():
+    assert not close_gaps(ring(15), 0.1, 0.8)[15:20, 15:20].any()
+
+
 def test_pixels_that_touch_at_a_corner_are_joined_through_the_denser_neighbour():
     walls = np.eye(4, dtype=bool)
     density = np.triu(np.full((4, 4), 2.0)) + np.tril(np.full((4, 4), 1.0), -1)

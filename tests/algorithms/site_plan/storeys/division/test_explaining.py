@@ -82,3 +82,17 @@ def test_pieces_of_one_partition_are_as_long_as_they_are_together():
 
 def test_a_face_doubled_by_two_passes_is_not_filled_before_a_wall():
     assert not is_filled([1.0, 1.0], beyond=False)
+
+
+def test_of_many_partitions_all_become_solid():
+    count = 400
+    rooms, cores = np.arange(count + 1), count + 1 + np.arange(count)
+    is_room = np.append(np.ones(2 * count + 1, bool), False)
+    areas = np.append(np.full(count + 1, 9.0), np.full(count, 0.2))
+    sides = np.concatenate([np.stack([rooms[:-1], cores], 1), np.stack([cores, rooms[1:]], 1)])
+    lengths, full = np.full(2 * count, 2.0), np.ones(2 * count)
+    cost = 0.06 * lengths * 0.05
+    found = fill_between(
+        is_room, np.append(np.full(count + 1, -9.0), np.full(count, -0.04)), areas, sides, lengths, cost, full
+    )
+    assert found[rooms].all() and not found[cores].any()
