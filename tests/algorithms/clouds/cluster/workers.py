@@ -15,6 +15,9 @@ from ichnograph.algorithms.clouds.cluster.connection import OLDEST
 START_S = 120
 """A busy computer imports Dask slowly."""
 
+ENDING = ("--death-timeout", "60")
+"""Workers whose scheduler is gone end by themselves."""
+
 
 @dataclass
 class Workers:
@@ -27,7 +30,7 @@ class Workers:
     def start(self, **environment):
         """Start one more worker of one thread, and wait until the scheduler knows it."""
         count = self.count()
-        started = _start("worker", self.folder, "--nthreads", "1", "--no-nanny", **environment)
+        started = _start("worker", self.folder, "--nthreads", "1", "--no-nanny", *ENDING, **environment)
         self.processes.append(started)
         until(lambda: self.count() > count)
         return started
