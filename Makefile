@@ -3,6 +3,7 @@ PYTHON ?= /usr/bin/python3
 # The last mypy that checks against Python 3.9.
 TOOLS = ruff==0.17.* mypy==1.19.* bandit==1.* detect-secrets==1.5.* flake8==7.*
 SITE_TOOLS = "sphinx>=7,<10" "myst-parser>=3,<6" "furo>=2024"
+DASK = "distributed==2024.8.*" "dask==2024.8.*" "zict==3.*" "importlib-metadata==8.*" "zipp==3.*"
 RUN = PYTHONPATH=$(CURDIR)/.plugins:$(CURDIR)/.packages QT_QPA_PLATFORM=offscreen $(PYTHON)
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 DEMO = build/demo
@@ -33,6 +34,9 @@ distribution:
 	$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps $$(grep -E '^(laspy|lazrs)' requirements.txt)
 	@# Only E57 files need these, and not every machine has wheels of them.
 	-$(PYTHON) -m pip install --quiet --upgrade --target .packages --no-deps --only-binary :all: pye57 pyquaternion
+	@# The Dask of Debian 12 does not bear the loss of a worker.
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 12))' || $(PYTHON) -m pip install --quiet --upgrade \
+		--target .packages --no-deps --only-binary :all: $(DASK)
 	@touch $@
 
 .plugins/ichnograph:

@@ -28,6 +28,10 @@ class MissingPackageError(InputError):
         self.modules = modules
         self.done = done
 
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        # Of the message alone, pickle could not make it again.
+        return type(self), (self.what, self.modules, self.done)
+
 
 class NothingFoundError(IchnographError):
     """The input is sound, but no result remains; the message says which step removed what.

@@ -180,6 +180,28 @@ class ThinningSettings:
 
 
 @dataclass(frozen=True)
+class ClusterSettings:
+    """How work is divided among the workers of a cluster, and how long is waited for them."""
+
+    run_points: int = judged(
+        10_000_000, "Read by one task, 120 MB on its worker: seconds that a lost worker costs, and few tasks."
+    )
+    block_tiles: int = judged(
+        16,
+        "Columns and rows of tiles that one task works on. Smaller blocks thin more tiles around them twice, "
+        "larger ones take more memory: 64 m of a dense street hold 1 GB. If odd, still more are.",
+    )
+    waiting_tasks: int = judged(
+        2, "For each thread of the workers: fewer leave workers idle, more hold results without gain."
+    )
+    connect_s: float = judged(5.0, "A scheduler in the same network answers at once; a cancel has to wait.")
+    poll_s: float = judged(0.1, "A cancel is noticed after so many seconds at most.")
+    patience_s: float = judged(
+        60.0, "A cluster without any worker for longer has stopped; workers are started again within less."
+    )
+
+
+@dataclass(frozen=True)
 class WritingSettings:
     """How finely coordinates are stored, and how many points are written at a time."""
 
@@ -206,4 +228,5 @@ class CloudSettings:
     reading: ReadingSettings = ReadingSettings()
     tiles: TileSettings = TileSettings()
     thinning: ThinningSettings = ThinningSettings()
+    cluster: ClusterSettings = ClusterSettings()
     writing: WritingSettings = WritingSettings()

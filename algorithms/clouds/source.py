@@ -103,6 +103,13 @@ class Source(ABC):
         for chunk in self.chunks(origin, progress, size):
             yield chunk.xyz
 
+    def runs(self, points: int) -> "tuple[Source, ...]":
+        """Return parts of the file, of so many points in its order, that can be read each on its own.
+
+        The file itself is the only one if it can be read from the beginning only.
+        """
+        return (self,)
+
     @property
     def expected_points(self) -> int:
         """How many points the file announces; 0 if it does not."""

@@ -6,6 +6,8 @@ from dataclasses import replace
 from typing import Optional
 
 from ..clouds.cloud import Cloud
+from ..clouds.tiles.tile_store import sort_here
+from ..clouds.tiles.tiles import Sorter
 from ..errors import InputError, NothingFoundError
 from ..progress import Progress
 from .axes.axes import Axis, find_axes
@@ -26,7 +28,10 @@ NO_ROOM = "No room is closed: raise DOOR_WIDTH above the widest gap in its walls
 
 
 def make_site_plan(
-    cloud: Cloud, settings: SitePlanSettings = SitePlanSettings(), progress: Progress = Progress()
+    cloud: Cloud,
+    settings: SitePlanSettings = SitePlanSettings(),
+    progress: Progress = Progress(),
+    sort: Sorter = sort_here,
 ) -> SitePlan:
     """Make the plan of a site.
 
@@ -40,6 +45,8 @@ def make_site_plan(
         One site.
     settings : SitePlanSettings
     progress : Progress
+    sort : Sorter
+        Where the points are sorted and looked at.
 
     Raises
     ------
@@ -50,7 +57,7 @@ def make_site_plan(
     CancelledError
         If the caller asked to stop.
     """
-    with _sorted(cloud, settings, progress.part(0.0, 0.5)) as (density, points):
+    with _sorted(cloud, settings, sort, progress.part(0.0, 0.5)) as (density, points):
         found = _extracted(density, settings, progress.part(0.5, 0.6))
         plan, foliage, storey = _on_faces(found, points, density, settings, progress)
     walls, warnings = plan.walls, plan.warnings
@@ -107,7 +114,7 @@ def extract_walls(
 
 @contextmanager
 def _sorted(
-    cloud: Cloud, settings: SitePlanSettings, progress: Progress
+    cloud: Cloud, settings: SitePlanSettings, sort: Sorter, progress: Progress
 ) -> Iterator[tuple[DensityImage, SortedPoints]]:
     """Compute the density image, and keep the points for the faces.
 
@@ -121,6 +128,7 @@ def _sorted(
         progress,
         settings.height_range,
         settings.density,
+        sort,
     ) as (density, points):
         try:
             yield density, points

@@ -6,7 +6,16 @@ from typing import Any
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_upright_site
+from ..parameters.clouds import (
+    CLOUDS,
+    CRS,
+    PIXEL_SIZE,
+    SCHEDULER,
+    SPACING,
+    neighbourhood,
+    open_upright_site,
+    sorter,
+)
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
@@ -32,7 +41,7 @@ class DensityImageAlgorithm(Algorithm):
     )
     words = ("density", "raster", "point cloud", "laser scan", "tls", "lidar", "las", "laz", "walls", "dtm")
     needs = FOR_CLOUDS
-    inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS)
+    inputs = (CLOUDS, SPACING, PIXEL_SIZE, neighbourhood(advanced=False), CRS, *HEIGHT_PARAMETERS, SCHEDULER)
     destinations = (density_destination(optional=False),)
     numbers = POINT_NUMBERS
 
@@ -42,7 +51,8 @@ class DensityImageAlgorithm(Algorithm):
         from ...algorithms.site_plan.density.density_raster import write_density
 
         size = values["SPACING"], values["PIXEL_SIZE"], values["NEIGHBOURHOOD"]
-        image = density_image(open_upright_site(values, log), *size, log.progress, height_range(values))
+        chosen = *size, log.progress, height_range(values)
+        image = density_image(open_upright_site(values, log), *chosen, sort=sorter(values))
         log.warn(image.warnings)
         log_density(image, log)
         return Outcome({"DENSITY": partial(write_density, image=image)}, point_numbers(image))

@@ -6,7 +6,16 @@ from typing import TYPE_CHECKING, Any
 from ...algorithms.errors import NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..log import Log
-from ..parameters.clouds import CLOUDS, CRS, PIXEL_SIZE, SPACING, neighbourhood, open_upright_site
+from ..parameters.clouds import (
+    CLOUDS,
+    CRS,
+    PIXEL_SIZE,
+    SCHEDULER,
+    SPACING,
+    neighbourhood,
+    open_upright_site,
+    sorter,
+)
 from ..parameters.density import (
     HEIGHT_PARAMETERS,
     POINT_NUMBERS,
@@ -94,6 +103,7 @@ class SitePlanAlgorithm(Algorithm):
         *HEIGHT_PARAMETERS,
         DOOR_WIDTH,
         STOREY,
+        SCHEDULER,
     )
     destinations = (
         density_destination(optional=True),
@@ -114,7 +124,8 @@ class SitePlanAlgorithm(Algorithm):
         from ...algorithms.site_plan.site_plan import make_site_plan
 
         try:
-            plan = make_site_plan(open_upright_site(values, log), settings_of(values), log.progress)
+            cloud = open_upright_site(values, log)
+            plan = make_site_plan(cloud, settings_of(values), log.progress, sorter(values))
         except NothingFoundError as error:
             log.warn(error.warnings)
             raise

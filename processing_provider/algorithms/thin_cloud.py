@@ -6,7 +6,7 @@ from ...algorithms.clouds.formats import writable_formats
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_CLOUDS
 from ..log import Log
-from ..parameters.clouds import CLOUDS, SPACING, open_site
+from ..parameters.clouds import CLOUDS, SCHEDULER, SPACING, open_site, sorter
 from ..parameters.destinations import CloudDestination
 
 
@@ -24,7 +24,7 @@ class ThinCloudAlgorithm(Algorithm):
     )
     words = ("thin", "subsample", "decimate", "minimum distance", "point cloud", "tls", "lidar", "las", "laz")
     needs = FOR_CLOUDS
-    inputs = (CLOUDS, SPACING)
+    inputs = (CLOUDS, SPACING, SCHEDULER)
     destinations = (CloudDestination("OUTPUT", "Thinned cloud", f"{writable_formats()}, by extension."),)
     numbers = (
         ("POINTS_IN", "Number of points in the clouds"),
@@ -37,7 +37,7 @@ class ThinCloudAlgorithm(Algorithm):
         from ...algorithms.clouds.writing.point_selection import write_cloud
 
         cloud = open_site(values)
-        thinned = thin_cloud(cloud, values["SPACING"], log.progress.part(0.0, 0.7))
+        thinned = thin_cloud(cloud, values["SPACING"], log.progress.part(0.0, 0.7), sort=sorter(values))
         log.warn(thinned.warnings)
         log.info(f"Points: {thinned.points_in} read, {len(thinned.kept)} kept.")
         return Outcome(

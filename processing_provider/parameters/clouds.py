@@ -4,10 +4,11 @@ from typing import TYPE_CHECKING, Any
 
 from ...algorithms.clouds.formats import readable_formats
 from .files import CloudFiles
-from .parameter import Number, ReferenceSystem
+from .parameter import Number, ReferenceSystem, Text
 
 if TYPE_CHECKING:
     from ...algorithms.clouds.cloud import Cloud
+    from ...algorithms.clouds.tiles.tiles import Sorter
     from ..log import Log
 
 CLOUDS = CloudFiles(
@@ -44,6 +45,15 @@ CRS = ReferenceSystem(
     "Projected, in metres. Used only for files without a reference system.",
 )
 
+SCHEDULER = Text(
+    "SCHEDULER",
+    "Dask scheduler",
+    "Address of the scheduler of a Dask cluster, like tcp://192.168.0.10:8786. Its workers read the clouds "
+    "and work on them instead of this computer, with the same result; they must find the files by the same "
+    "paths. Leave it empty to work on this computer.",
+    advanced=True,
+)
+
 
 def neighbourhood(advanced: bool) -> Number:
     """Return the parameter NEIGHBOURHOOD, shown at once or among the advanced ones."""
@@ -77,3 +87,10 @@ def open_upright_site(values: dict[str, Any], log: "Log") -> "Cloud":
     cloud = open_site(values)
     log.warn(upright_warnings(cloud, log.progress))
     return cloud
+
+
+def sorter(values: dict[str, Any]) -> "Sorter":
+    """Return where the clouds are worked on: on the cluster that the user chose, or on this computer."""
+    from ...algorithms.clouds.cluster.sorting import sorter_at
+
+    return sorter_at(values["SCHEDULER"])

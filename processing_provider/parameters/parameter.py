@@ -218,8 +218,11 @@ class Flag(Parameter):
 class Text(Parameter):
     """A line of text; empty if the user leaves it so."""
 
+    advanced: bool = False
+
     def _definition(self) -> QgsProcessingParameterString:
-        return QgsProcessingParameterString(self.name, self.description, optional=True)
+        definition = QgsProcessingParameterString(self.name, self.description, optional=True)
+        return marked(definition) if self.advanced else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext

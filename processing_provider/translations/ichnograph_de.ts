@@ -105,6 +105,86 @@
         <translation>%1 und %2 weitere Dateien</translation>
     </message>
     <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: workers were lost one after another at the same work; give them more memory, and see their logs for the reason.</source>
+        <translation>SCHEDULER %1: Worker sind nacheinander bei derselben Arbeit verloren gegangen; ihnen mehr Arbeitsspeicher geben und in ihren Protokollen nach dem Grund sehen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the connection was lost; check that the scheduler runs, and start again.</source>
+        <translation>SCHEDULER %1: Die Verbindung ist abgebrochen; prüfen, ob der Scheduler läuft, und neu starten.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the cluster has no worker any more; start some, and start again.</source>
+        <translation>SCHEDULER %1: Der Cluster hat keinen Worker mehr; welche starten und neu beginnen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER needs distributed %1 or newer on all computers, because older ones do not bear the loss of a worker; this computer has %2.</source>
+        <translation>SCHEDULER braucht distributed %1 oder neuer auf allen Rechnern, weil ältere Versionen den Verlust eines Workers nicht vertragen; dieser Rechner hat %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: no scheduler answers there within %2 s; check the address, the network, and that it runs (`dask scheduler`).</source>
+        <translation>SCHEDULER %1: Dort antwortet binnen %2 s kein Scheduler; die Adresse und das Netz prüfen und ob er läuft (`dask scheduler`).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1 is not an address; write it like tcp://192.168.0.10:8786.</source>
+        <translation>SCHEDULER %1 ist keine Adresse; sie wie tcp://192.168.0.10:8786 schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>the scheduler</source>
+        <translation>der Scheduler</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the cluster has no workers; start some (`dask worker`).</source>
+        <translation>SCHEDULER %1: Der Cluster hat keine Worker; welche starten (`dask worker`).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>the worker %1</source>
+        <translation>der Worker %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: workers cannot import %2 (%3); put the folder that holds the plugin&#x27;s folder on their PYTHONPATH.</source>
+        <translation>SCHEDULER %1: Worker können %2 nicht importieren (%3); den Ordner, in dem der Ordner der Erweiterung liegt, in ihren PYTHONPATH aufnehmen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: %2 has %3 %4, this computer %5; install the same version on all.</source>
+        <translation>SCHEDULER %1: %2 hat %3 %4, dieser Rechner %5; auf allen dieselbe Version installieren.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/sorting.py"/>
+        <source>Connecting to %1</source>
+        <translation>Verbindung zu %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/sorting.py"/>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <location filename="../../algorithms/clouds/formats/text.py"/>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/tasks.py"/>
+        <source>SCHEDULER: a worker does not find %1; keep the clouds where all workers find them by the same path.</source>
+        <translation>SCHEDULER: Ein Worker findet %1 nicht; die Punktwolken dort ablegen, wo alle Worker sie unter demselben Pfad finden.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/tasks.py"/>
+        <source>SCHEDULER: a worker finds another file than this computer as %1; keep the clouds where all workers find them by the same path.</source>
+        <translation>SCHEDULER: Ein Worker findet unter %1 eine andere Datei als dieser Rechner; die Punktwolken dort ablegen, wo alle Worker sie unter demselben Pfad finden.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/clouds/formats/__init__.py"/>
         <source>text</source>
         <translation>Text</translation>
@@ -158,15 +238,6 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>intensity</source>
         <translation>Intensität</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/formats/e57.py"/>
-        <location filename="../../algorithms/clouds/formats/las.py"/>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
-        <location filename="../../algorithms/clouds/formats/ptx.py"/>
-        <location filename="../../algorithms/clouds/formats/text.py"/>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -677,6 +748,7 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/thinning/thinning.py"/>
+        <location filename="../../algorithms/site_plan/density/windows.py"/>
         <source>Thinning</source>
         <translation>Ausdünnen</translation>
     </message>
@@ -1429,6 +1501,7 @@
         <location filename="../../algorithms/facade/openings/content.py"/>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
+        <location filename="../../algorithms/site_plan/density/bands.py"/>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>top</source>
         <translation>oben</translation>
@@ -3601,6 +3674,15 @@
         <translation>Achsen werden gesucht</translation>
     </message>
     <message>
+        <location filename="../../algorithms/site_plan/density/bands.py"/>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <location filename="../../algorithms/site_plan/output/layers.py"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <location filename="../../processing_provider/parameters/density.py"/>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/site_plan/density/density_image.py"/>
         <source>%1: %2 of %3 points lie far from each other; check that the coordinates are metres, or remove what is not the site.</source>
         <translation>%1: %2 von %3 Punkten liegen weit voneinander entfernt; prüfen, ob die Koordinaten in Metern sind, oder entfernen, was nicht zum Objekt gehört.</translation>
@@ -3624,14 +3706,6 @@
         <location filename="../../algorithms/site_plan/density/density_image.py"/>
         <source>Finding the ground</source>
         <translation>Das Gelände wird gesucht</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
-        <location filename="../../algorithms/site_plan/output/layers.py"/>
-        <location filename="../../processing_provider/fields.py"/>
-        <location filename="../../processing_provider/parameters/density.py"/>
-        <source>density</source>
-        <translation>Dichte</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
@@ -6506,6 +6580,16 @@
         <location filename="../../processing_provider/parameters/clouds.py"/>
         <source>Projected, in metres. Used only for files without a reference system.</source>
         <translation>Projiziert, in Metern. Nur für Dateien ohne Bezugssystem verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/clouds.py"/>
+        <source>Dask scheduler</source>
+        <translation>Dask-Scheduler</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/clouds.py"/>
+        <source>Address of the scheduler of a Dask cluster, like tcp://192.168.0.10:8786. Its workers read the clouds and work on them instead of this computer, with the same result; they must find the files by the same paths. Leave it empty to work on this computer.</source>
+        <translation>Adresse des Schedulers eines Dask-Clusters, wie tcp://192.168.0.10:8786. Dessen Worker lesen und bearbeiten die Punktwolken anstelle dieses Rechners, mit demselben Ergebnis; sie müssen die Dateien unter denselben Pfaden finden. Leer lassen, um auf diesem Rechner zu arbeiten.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/clouds.py"/>

@@ -105,6 +105,86 @@
         <translation>%1 et %2 autres fichiers</translation>
     </message>
     <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: workers were lost one after another at the same work; give them more memory, and see their logs for the reason.</source>
+        <translation>SCHEDULER %1 : des workers ont été perdus l’un après l’autre au même travail ; donnez-leur plus de mémoire et cherchez la raison dans leurs journaux.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the connection was lost; check that the scheduler runs, and start again.</source>
+        <translation>SCHEDULER %1 : la connexion est perdue ; vérifiez que l’ordonnanceur fonctionne et recommencez.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the cluster has no worker any more; start some, and start again.</source>
+        <translation>SCHEDULER %1 : le cluster n’a plus de worker ; démarrez-en et recommencez.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER needs distributed %1 or newer on all computers, because older ones do not bear the loss of a worker; this computer has %2.</source>
+        <translation>SCHEDULER demande distributed %1 ou plus récent sur tous les ordinateurs, car les versions antérieures ne supportent pas la perte d’un worker ; cet ordinateur a %2.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: no scheduler answers there within %2 s; check the address, the network, and that it runs (`dask scheduler`).</source>
+        <translation>SCHEDULER %1 : aucun ordonnanceur n’y répond en %2 s ; vérifiez l’adresse, le réseau, et qu’il fonctionne (`dask scheduler`).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1 is not an address; write it like tcp://192.168.0.10:8786.</source>
+        <translation>SCHEDULER %1 n’est pas une adresse ; écrivez-la comme tcp://192.168.0.10:8786.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>the scheduler</source>
+        <translation>l’ordonnanceur</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: the cluster has no workers; start some (`dask worker`).</source>
+        <translation>SCHEDULER %1 : le cluster n’a pas de workers ; démarrez-en (`dask worker`).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>the worker %1</source>
+        <translation>le worker %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: workers cannot import %2 (%3); put the folder that holds the plugin&#x27;s folder on their PYTHONPATH.</source>
+        <translation>SCHEDULER %1 : des workers ne peuvent pas importer %2 (%3) ; ajoutez à leur PYTHONPATH le dossier qui contient celui de l’extension.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: %2 has %3 %4, this computer %5; install the same version on all.</source>
+        <translation>SCHEDULER %1 : %2 a %3 %4, cet ordinateur %5 ; installez la même version partout.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/sorting.py"/>
+        <source>Connecting to %1</source>
+        <translation>Connexion à %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/sorting.py"/>
+        <location filename="../../algorithms/clouds/formats/e57.py"/>
+        <location filename="../../algorithms/clouds/formats/las.py"/>
+        <location filename="../../algorithms/clouds/formats/ply.py"/>
+        <location filename="../../algorithms/clouds/formats/ptx.py"/>
+        <location filename="../../algorithms/clouds/formats/text.py"/>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/tasks.py"/>
+        <source>SCHEDULER: a worker does not find %1; keep the clouds where all workers find them by the same path.</source>
+        <translation>SCHEDULER : un worker ne trouve pas %1 ; gardez les nuages là où tous les workers les trouvent par le même chemin.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/tasks.py"/>
+        <source>SCHEDULER: a worker finds another file than this computer as %1; keep the clouds where all workers find them by the same path.</source>
+        <translation>SCHEDULER : un worker trouve un autre fichier que cet ordinateur comme %1 ; gardez les nuages là où tous les workers les trouvent par le même chemin.</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/clouds/formats/__init__.py"/>
         <source>text</source>
         <translation>texte</translation>
@@ -158,15 +238,6 @@
         <location filename="../../processing_provider/parameters/facade.py"/>
         <source>intensity</source>
         <translation>intensité</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/clouds/formats/e57.py"/>
-        <location filename="../../algorithms/clouds/formats/las.py"/>
-        <location filename="../../algorithms/clouds/formats/ply.py"/>
-        <location filename="../../algorithms/clouds/formats/ptx.py"/>
-        <location filename="../../algorithms/clouds/formats/text.py"/>
-        <source>Reading %1</source>
-        <translation>Lecture de %1</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/e57.py"/>
@@ -677,6 +748,7 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/thinning/thinning.py"/>
+        <location filename="../../algorithms/site_plan/density/windows.py"/>
         <source>Thinning</source>
         <translation>Éclaircissage</translation>
     </message>
@@ -1429,6 +1501,7 @@
         <location filename="../../algorithms/facade/openings/content.py"/>
         <location filename="../../algorithms/facade/outlines/acceptance.py"/>
         <location filename="../../algorithms/reporting/charts.py"/>
+        <location filename="../../algorithms/site_plan/density/bands.py"/>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
         <source>top</source>
         <translation>haut</translation>
@@ -3601,6 +3674,15 @@
         <translation>Recherche des axes</translation>
     </message>
     <message>
+        <location filename="../../algorithms/site_plan/density/bands.py"/>
+        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
+        <location filename="../../algorithms/site_plan/output/layers.py"/>
+        <location filename="../../processing_provider/fields.py"/>
+        <location filename="../../processing_provider/parameters/density.py"/>
+        <source>density</source>
+        <translation>densité</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/site_plan/density/density_image.py"/>
         <source>%1: %2 of %3 points lie far from each other; check that the coordinates are metres, or remove what is not the site.</source>
         <translation>%1 : %2 points sur %3 sont très éloignés les uns des autres ; vérifiez que les coordonnées sont en mètres, ou supprimez ce qui n&#x27;est pas le site.</translation>
@@ -3624,14 +3706,6 @@
         <location filename="../../algorithms/site_plan/density/density_image.py"/>
         <source>Finding the ground</source>
         <translation>Recherche du sol</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/site_plan/density/density_raster.py"/>
-        <location filename="../../algorithms/site_plan/output/layers.py"/>
-        <location filename="../../processing_provider/fields.py"/>
-        <location filename="../../processing_provider/parameters/density.py"/>
-        <source>density</source>
-        <translation>densité</translation>
     </message>
     <message>
         <location filename="../../algorithms/site_plan/density/density_raster.py"/>
@@ -6506,6 +6580,16 @@
         <location filename="../../processing_provider/parameters/clouds.py"/>
         <source>Projected, in metres. Used only for files without a reference system.</source>
         <translation>Projeté, en mètres. Utilisé seulement pour les fichiers sans système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/clouds.py"/>
+        <source>Dask scheduler</source>
+        <translation>Ordonnanceur Dask</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/clouds.py"/>
+        <source>Address of the scheduler of a Dask cluster, like tcp://192.168.0.10:8786. Its workers read the clouds and work on them instead of this computer, with the same result; they must find the files by the same paths. Leave it empty to work on this computer.</source>
+        <translation>Adresse de l’ordonnanceur d’un cluster Dask, comme tcp://192.168.0.10:8786. Ses workers lisent et traitent les nuages à la place de cet ordinateur, avec le même résultat ; ils doivent trouver les fichiers par les mêmes chemins. Laissez vide pour travailler sur cet ordinateur.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/clouds.py"/>

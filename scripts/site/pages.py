@@ -42,6 +42,7 @@ CONTENTS = {
         "docs/method",
         "docs/accuracy",
         "docs/performance",
+        "docs/cluster",
         "docs/inputs",
         "docs/robustness",
         "docs/releases",

@@ -57,7 +57,7 @@ FACADE_FILES = {"ORTHOIMAGE", "DETAILS", "ELEVATION", "SCHEDULE", "DRAWING", "RE
 REGISTRATION_FILES = {"TRANSFORMS", "RESIDUALS", "CONTROL_OUT", "REPORT"}
 
 CONTRACT = {
-    "thincloud": ({"INPUT", "SPACING", "OUTPUT"}, {"OUTPUT", "POINTS_IN", "POINTS_OUT"}),
+    "thincloud": ({"INPUT", "SPACING", "SCHEDULER", "OUTPUT"}, {"OUTPUT", "POINTS_IN", "POINTS_OUT"}),
     "transformcloud": (
         {"INPUT", "TRANSFORMS", "OUTPUT_FOLDER"},
         {"OUTPUT_FOLDER", "CLOUDS", "SCANS_TRANSFORMED", "POINTS"},
@@ -103,13 +103,14 @@ CONTRACT = {
     ),
     "exampledata": ({"OUTPUT_FOLDER"}, {"OUTPUT_FOLDER", "FILES"}),
     "densityimage": (
-        {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY", "HEIGHTS", *HEIGHTS},
+        {"INPUT", "SPACING", "PIXEL_SIZE", "NEIGHBOURHOOD", "CRS", "DENSITY", "HEIGHTS", *HEIGHTS}
+        | {"SCHEDULER"},
         {"DENSITY", "POINTS_IN", "POINTS_KEPT"},
     ),
     "extractwalls": ({"INPUT", "PLAN", "WALLS"} | WALL_PARAMETERS, {"PLAN", "WALLS"} | WALL_NUMBERS),
     "siteplan": (
         {"INPUT", "REFINE", "STOREY", "SECTION", "CRS", "DENSITY", "PLAN", "WALLS", "DOOR_WIDTH"}
-        | {"HEIGHTS", *HEIGHTS}
+        | {"HEIGHTS", "SCHEDULER", *HEIGHTS}
         | {*NUMBERS}
         | FURTHER_FILES,
         {"DENSITY", "PLAN", "WALLS", "POINTS_IN", "POINTS_KEPT", "ROOM_COUNT", "ROOM_AREA"}

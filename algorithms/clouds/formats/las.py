@@ -1,7 +1,7 @@
 """LAS, LAZ and COPC (which is a LAZ with an index), read by laspy and lazrs."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Optional
@@ -62,6 +62,10 @@ class LasSource(Source):
         257 for 8-bit colour, else 1.
     dimensions : tuple of str
         The dimensions besides coordinates, intensity and colour that hold anything in the sampled points.
+    start : int
+        Number of the first point in the file.
+    can_start_anywhere : bool
+        Whether points can be read without those before.
     """
 
     point_count: int
@@ -70,6 +74,8 @@ class LasSource(Source):
     offsets: np.ndarray
     colour_factor: int
     dimensions: tuple[str, ...]
+    start: int = 0
+    can_start_anywhere: bool = False
 
     @classmethod
     def open(cls, path: Path, settings: ReadingSettings = ReadingSettings()) -> "LasSource":
@@ -84,6 +90,7 @@ class LasSource(Source):
             header = reader.header
             _check_scales(path, header)
             sample = _sample(path, reader, settings)
+            can_start_anywhere = can_seek(reader)
             crs, warnings = read_crs(path, partial(_parse_crs, header))
         usable = is_usable(sample)
         if not usable.any():
@@ -112,6 +119,7 @@ class LasSource(Source):
             offsets=header.offsets,
             colour_factor=257 if brightest < 256 else 1,
             dimensions=_dimensions(sample, header.point_format),
+            can_start_anywhere=can_start_anywhere,
         )
 
     @property
@@ -134,6 +142,16 @@ class LasSource(Source):
         """Yield the positions of all points in file order; see `Source.positions`."""
         for points in self.records(progress, size, POSITIONS):
             yield coordinates(points, self.scales, self.offsets - origin)
+
+    def runs(self, points: int) -> tuple[Source, ...]:
+        """See `Source.runs`."""
+        if not self.can_start_anywhere:
+            return (self,)
+        stop = self.start + self.point_count
+        return tuple(
+            replace(self, start=start, point_count=min(points, stop - start))
+            for start in range(self.start, stop, points)
+        )
 
     @property
     def expected_points(self) -> int:
@@ -184,6 +202,8 @@ class LasSource(Source):
     def _decoded(self, size: int, selection: laspy.DecompressionSelection) -> Iterator[np.ndarray]:
         size = min(size, LARGEST_BLOCK // self.point_format.size)
         with open_reader(self.path, selection) as reader:
+            if self.start:
+                seek(self.path, reader, self.start)
             for start in range(0, self.point_count, size):
                 yield read_records(self.path, reader, min(size, self.point_count - start))
 

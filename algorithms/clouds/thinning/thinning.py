@@ -1,9 +1,8 @@
 """Thinning to a minimum distance between neighbours in space (Mueller et al. 2012, section 2.1)."""
 
 import math
-import os
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Callable
@@ -13,9 +12,10 @@ import numpy as np
 from ...parallel import begun_only
 from ...progress import Progress
 from ..cloud import Cloud
-from ..settings import ThinningSettings, TileSettings
+from ..settings import ThinningSettings
 from ..tiles.lattice import to_lattice
-from ..tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
+from ..tiles.tile_store import sort_here, stray_warning
+from ..tiles.tiles import Key, Sorter, Tile, Tiles, by_block
 from .neighbour_table import choose
 
 Waiting = deque[tuple[Key, Tile, Future[tuple[np.ndarray, np.ndarray]]]]
@@ -45,21 +45,49 @@ def thin_cloud(
     spacing: float,
     progress: Progress = Progress(),
     settings: ThinningSettings = ThinningSettings(),
-    tiles: TileSettings = TileSettings(),
+    sort: Sorter = sort_here,
 ) -> ThinnedCloud:
     """Thin a cloud so that no two points are closer than `spacing` metres; see `thin_tiles`.
+
+    Parameters
+    ----------
+    cloud : Cloud
+    spacing : float
+        Minimum distance in metres.
+    progress : Progress
+    settings : ThinningSettings
+    sort : Sorter
+        Where the points are sorted and thinned.
 
     Raises
     ------
     InputError
         If the coordinates are not those of a site.
     """
-    with TileStore(tile_edge(spacing, settings), tiles, is_numbered=True) as store:
-        fill(store, cloud, progress.part(0.0, 0.5))
-        thinned = thin_tiles(store, list(store.counts()), spacing, progress.part(0.5, 1.0), settings)
-        kept = np.sort(np.concatenate([tile.index[rows] for tile, rows in thinned]))
+    with sort(cloud, tile_edge(spacing, settings), True, progress.part(0.0, 0.5)) as store:
+        among = set(store.counts())
+        parts = [
+            (deciding(own, among), (own, spacing, settings))
+            for own in by_block(sorted(among), store.block_side).values()
+        ]
+        kept = store.on_parts(_numbers, parts, progress.part(0.5, 1.0), "Thinning")
+        numbers = np.sort(np.concatenate(list(kept)))
         stray = stray_warning(cloud, store.stray_count, store.point_count)
-        return ThinnedCloud(kept, store.point_count, (*cloud.warnings, *stray))
+        return ThinnedCloud(numbers, store.point_count, (*cloud.warnings, *stray))
+
+
+def _numbers(
+    tiles: Tiles,
+    progress: Progress,
+    keys: list[Key],
+    own: list[Key],
+    spacing: float,
+    settings: ThinningSettings,
+) -> np.ndarray:
+    """Thin the tiles `keys`, and return the numbers of the points that are chosen in those of `own`."""
+    counted = set(own)
+    thinned = thin_tiles(tiles, keys, spacing, progress, settings)
+    return np.concatenate([tile.index[rows] for tile, rows in thinned if tile.key in counted])
 
 
 def tile_edge(spacing: float, settings: ThinningSettings = ThinningSettings()) -> float:
@@ -67,8 +95,34 @@ def tile_edge(spacing: float, settings: ThinningSettings = ThinningSettings()) -
     return settings.tile_edge_m * math.ceil(spacing / settings.tile_edge_m)
 
 
+def deciding(keys: Iterable[Key], among: Collection[Key]) -> list[Key]:
+    """Return the tiles on which the choice of points in some tiles depends, these included.
+
+    They are what is thinned before a tile and touches it, what is thinned before that and touches that, and
+    so on: three columns and a row away at most.
+
+    Parameters
+    ----------
+    keys : iterable of tuple of int
+        The tiles in which points are chosen.
+    among : collection of tuple of int
+        All tiles; fast to ask.
+    """
+    found = set(keys)
+    for turn in ((1, 1), (1, 0), (0, 1)):
+        if len(found) == len(among):
+            break
+        found.update(
+            other
+            for key in [key for key in found if _order(key)[:2] == turn]
+            for other in _around(key)
+            if _order(other)[:2] < turn and other in among
+        )
+    return sorted(found)
+
+
 def thin_tiles(
-    store: TileStore,
+    store: Tiles,
     keys: list[Key],
     spacing: float,
     progress: Progress,
@@ -84,7 +138,7 @@ def thin_tiles(
 
     Parameters
     ----------
-    store : TileStore
+    store : Tiles
         All points, in tiles of `tile_edge(spacing)`.
     keys : list of tuple of int
         The tiles to thin.
@@ -105,8 +159,7 @@ def thin_tiles(
     reach = to_lattice(spacing)
     rims: dict[Key, np.ndarray] = {}
     waiting: Waiting = deque()
-    workers = os.cpu_count() or 1
-    enough = settings.waiting_tiles * workers
+    enough = settings.waiting_tiles * store.cores
     keys = sorted(keys, key=_order)
 
     def thin(tile: Tile, seeds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -114,7 +167,7 @@ def thin_tiles(
         kept = choose(tile.xyz, seeds, tile.corner, reach)
         return kept, _rim(tile, kept, reach)
 
-    with begun_only(workers) as pool:
+    with begun_only(store.cores) as pool:
         for key, tile in store.tiles(keys, progress, "Thinning"):
             # A tile needs the rims of its neighbours, which are thinned before.
             while waiting and (len(waiting) > enough or _order(waiting[0][0])[:2] != _order(key)[:2]):
@@ -127,6 +180,12 @@ def thin_tiles(
 def _order(key: Key) -> tuple[int, int, int, int]:
     column, row = key
     return row % 2, column % 2, row, column
+
+
+def _around(key: Key) -> list[Key]:
+    """Return the eight tiles that touch a tile."""
+    column, row = key
+    return [(column + x, row + y) for y in (-1, 0, 1) for x in (-1, 0, 1) if x or y]
 
 
 def _rim(tile: Tile, kept: np.ndarray, reach: int) -> np.ndarray:
@@ -145,11 +204,9 @@ def _finished(waiting: Waiting, rims: dict[Key, np.ndarray]) -> tuple[Tile, np.n
 
 def _seeds(key: Key, rims: dict[Key, np.ndarray], edge: int) -> np.ndarray:
     """Return the chosen points of the tiles around `key`, relative to its corner."""
-    column, row = key
     near = [
-        rims[column + x, row + y] + np.array([x * edge, y * edge, 0])
-        for y in (-1, 0, 1)
-        for x in (-1, 0, 1)
-        if (x or y) and (column + x, row + y) in rims
+        rims[other] + np.array([(other[0] - key[0]) * edge, (other[1] - key[1]) * edge, 0])
+        for other in _around(key)
+        if other in rims
     ]
     return np.concatenate(near) if near else np.empty((0, 3), np.int64)

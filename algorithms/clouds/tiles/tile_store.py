@@ -3,11 +3,11 @@
 import shutil
 import tempfile
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from types import TracebackType
-from typing import IO, Optional
+from typing import IO, Any, Callable, Optional
 
 import numpy as np
 
@@ -17,31 +17,7 @@ from ..cloud import Cloud, names_of
 from ..settings import TileSettings
 from .counting_sort import sort_by_tile
 from .lattice import to_lattice
-
-Key = tuple[int, int]
-"""Column and row of a tile."""
-
-
-@dataclass(frozen=True)
-class Tile:
-    """The points of one square tile.
-
-    Attributes
-    ----------
-    corner : tuple of int
-        Lower left corner, lattice steps.
-    xyz : ndarray of int32, shape (n, 3)
-        x, y relative to the corner, z absolute; lattice steps.
-    index : ndarray of int64, shape (n,)
-        Number of each point in the cloud, over all files in order; empty if the store does not number them.
-    edge : int
-        Edge of the tile, lattice steps.
-    """
-
-    corner: tuple[int, int]
-    xyz: np.ndarray
-    index: np.ndarray
-    edge: int
+from .tiles import Key, SortedTiles, Tile
 
 
 @dataclass(frozen=True)
@@ -53,7 +29,7 @@ class _Block:
     start: int
 
 
-class TileStore:
+class TileStore(SortedTiles):
     """Points by tile, 12 bytes each, in memory and beyond a budget in a temporary file; a context manager.
 
     Parameters
@@ -147,11 +123,11 @@ class TileStore:
         self.stray_count += len(xyz) - len(records)
 
     def counts(self) -> dict[Key, int]:
-        """Return the number of points by tile (column, row)."""
+        """See `Tiles.counts`."""
         return {key: sum(count for _, _, count in parts) for key, parts in self._parts.items()}
 
     def tile(self, key: Key) -> Tile:
-        """Read the tile in column and row `key`, its points in the cloud's order."""
+        """Read a tile; see `Tiles.tile`."""
         parts = self._parts[key]
         records = np.concatenate([self._read(*part) for part in parts])
         firsts = np.array([self._blocks[part[0]].first for part in parts], np.int64)
@@ -170,6 +146,18 @@ class TileStore:
             parts.append((block, start, len(own)))
             begin += count
         self._parts[key] = parts
+
+    def keep_where(
+        self,
+        choose: Callable[..., tuple[np.ndarray, Any]],
+        jobs: Mapping[Key, tuple[Any, ...]],
+        progress: Progress,
+        message: str,
+    ) -> Iterator[tuple[Key, Any]]:
+        """See `SortedTiles.keep_where`."""
+        for key, (rows, result) in self.each(choose, jobs, progress, message):
+            self.keep(key, rows)
+            yield key, result
 
     def _append(self, records: np.ndarray) -> None:
         """Keep the records of one more chunk, in the file if memory is used up."""
@@ -207,16 +195,6 @@ class TileStore:
             while len(left):
                 left = left[self._file.write(left) :]
 
-    def tiles(self, keys: list[Key], progress: Progress, message: str) -> Iterator[tuple[Key, Tile]]:
-        """Yield (key, tile) in the order of `keys`, reporting progress."""
-        counts = self.counts()
-        total = max(sum(counts[key] for key in keys), 1)
-        done = 0
-        for key in keys:
-            progress.update(done / total, message)
-            yield key, self.tile(key)
-            done += counts[key]
-
 
 @contextmanager
 def _full_disk_named() -> Iterator[None]:
@@ -240,10 +218,30 @@ def fill(store: TileStore, cloud: Cloud, progress: Progress) -> None:
     store.expect(cloud.expected_points)
     for xyz in cloud.positions(progress):
         store.add(xyz, cloud.origin)
-    if store.stray_count > store.settings.max_stray_share * store.point_count:
-        kilometres = store.settings.max_height_m / 1000
+    refuse_strays(cloud, store.stray_count, store.point_count, store.settings)
+
+
+@contextmanager
+def sort_here(
+    cloud: Cloud, edge: float, is_numbered: bool, progress: Progress, settings: TileSettings = TileSettings()
+) -> Iterator[SortedTiles]:
+    """Sort a cloud into tiles on this computer; see `tiles.Sorter`."""
+    with TileStore(edge, settings, is_numbered) as store:
+        fill(store, cloud, progress)
+        yield store
+
+
+def refuse_strays(cloud: Cloud, stray: int, total: int, settings: TileSettings = TileSettings()) -> None:
+    """Refuse a cloud of which too many points are too high or too far away to be sorted.
+
+    Raises
+    ------
+    InputError
+    """
+    if stray > settings.max_stray_share * total:
+        kilometres = settings.max_height_m / 1000
         raise InputError(
-            f"{names_of(cloud.sources)}: {store.stray_count} of {store.point_count} points lie more than "
+            f"{names_of(cloud.sources)}: {stray} of {total} points lie more than "
             f"{kilometres:.0f} km high or deep; transform geocentric coordinates to a projected "
             "coordinate reference system in metres first."
         )

@@ -1,12 +1,11 @@
 """The accumulators of the bands of a density image, filled tile by tile."""
 
-from contextlib import nullcontext
-from threading import Lock
+from copy import copy
 
 import numpy as np
 
 from ...clouds.tiles.lattice import LATTICE
-from ...clouds.tiles.tile_store import Tile
+from ...clouds.tiles.tiles import Tile
 from ...kernels import kernel
 from .grid import Grid
 from .settings import DensitySettings
@@ -28,7 +27,27 @@ class Bands:
         self.parts = np.zeros((grid.height * parts, grid.width * parts), np.uint8)
         self.base = np.full(grid.shape, np.inf, np.float32)
         self.top = np.full(grid.shape, -np.inf, np.float32)
-        self._lock = Lock()
+
+    def part(self, grid: Grid) -> "Bands":
+        """Return the bands of some of the pixels."""
+        if grid == self.grid:
+            return self
+        part = copy(self)
+        part.grid, part.ground = grid, self.ground[self.grid.slices(grid)]
+        for name, finer in self._arrays():
+            whole = getattr(self, name)
+            setattr(part, name, np.ascontiguousarray(whole[self.grid.slices(grid, finer)]))
+        return part
+
+    def paste(self, part: "Bands") -> None:
+        """Take over the bands of some of the pixels; the ground remains."""
+        for name, finer in self._arrays():
+            getattr(self, name)[self.grid.slices(part.grid, finer)] = getattr(part, name)
+
+    def _arrays(self) -> tuple[tuple[str, int], ...]:
+        """Return the names of what is filled, with the rows and columns of a pixel."""
+        parts = self.settings.spread.parts
+        return ("density", 1), ("bits", 1), ("parts", parts), ("base", 1), ("top", 1)
 
     def spread(self, tile: Tile, kept: np.ndarray, neighbourhood: int) -> None:
         """Spread the kept points of a tile; the sum of their weights depends on the order of the tiles."""
@@ -40,13 +59,11 @@ class Bands:
         count_in_parts(self.parts, self.ground, chosen, x0, y0, step, LATTICE, *limits)
 
     def stack(self, tile: Tile) -> None:
-        """Note the heights of all points of a tile, in any order; at once for tiles that do not touch."""
+        """Note the heights of all points of a tile, in any order; at once for tiles that share no pixel."""
         x0, y0 = (tile.corner[i] - self.grid.corner[i] for i in (0, 1))
         window, step = self.settings.window, self.grid.step
         heights = (self.ground, self.bits, self.base, self.top)
-        # A pixel wider than a tile may lie in two that do not touch.
-        with self._lock if step > tile.edge else nullcontext():
-            _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
+        _stack(*heights, tile.xyz, x0, y0, step, LATTICE, window.lowest_m, ALL_BINS, window.bin_m)
 
 
 @kernel
@@ -55,10 +72,10 @@ def _spread(density: np.ndarray, xyz: np.ndarray, x0: int, y0: int, step: int, n
     width = 2 * neighbourhood + 1
     weights = np.empty((width, width))
     for i in range(len(xyz)):
-        x, y = (xyz[i, 0] + x0) / step, (xyz[i, 1] + y0) / step
-        column, row = int(np.floor(x)), int(np.floor(y))
-        x -= column + 0.5
-        y -= row + 0.5
+        column, row = int((xyz[i, 0] + x0) / step), int((xyz[i, 1] + y0) / step)
+        # Of integers, so that it does not depend on where the grid begins.
+        x = (xyz[i, 0] + x0 - column * step) / step - 0.5
+        y = (xyz[i, 1] + y0 - row * step) / step - 0.5
         if x == 0.0 and y == 0.0:
             density[row, column] += 1.0
             continue

@@ -15,21 +15,22 @@ from affine import Affine
 from rasterio.crs import CRS
 
 from ...clouds.cloud import Cloud, names_of
-from ...clouds.thinning.thinning import thin_tiles, tile_edge
+from ...clouds.thinning.thinning import tile_edge
 from ...clouds.tiles.lattice import LATTICE, to_lattice
 from ...clouds.tiles.lattice_points import limits_of
-from ...clouds.tiles.tile_store import Key, Tile, TileStore, fill, stray_warning
+from ...clouds.tiles.tile_store import sort_here, stray_warning
+from ...clouds.tiles.tiles import SortedTiles, Sorter, Tile
 from ...errors import InputError
-from ...parallel import in_order
 from ...progress import Progress
 from ..walls.height_gate import Heights
 from .bands import Bands, occupied_bins
 from .ceiling import hanging_height
 from .grid import Grid, make_grid, site_tiles
-from .ground import LowestSurface, at_pixels, ground_surface
+from .ground import LowestSurface, at_pixels, ground_surface, lowest_cells
 from .height_range import HeightRange, cut
-from .settings import DensitySettings, HeightWindowSettings
+from .settings import DensitySettings, GroundSettings, HeightWindowSettings
 from .spread import spread_of
+from .windows import filled_bands
 
 
 @dataclass(frozen=True)
@@ -88,6 +89,7 @@ def density_image(
     progress: Progress = Progress(),
     heights: HeightRange = HeightRange(),
     settings: DensitySettings = DensitySettings(),
+    sort: Sorter = sort_here,
 ) -> DensityImage:
     """Compute the density image of a cloud.
 
@@ -107,6 +109,8 @@ def density_image(
         Points outside are left out. The ground is looked for in what is left, unless it is the ground
         that the range is counted from; above that, the cut replaces it.
     settings : DensitySettings
+    sort : Sorter
+        Where the points are sorted and looked at.
 
     Raises
     ------
@@ -114,7 +118,7 @@ def density_image(
         If no point is left, all points have the same position, most lie far from each other, or
         the raster would be too large.
     """
-    chosen = cloud, spacing, pixel_size, neighbourhood, progress, heights, settings
+    chosen = cloud, spacing, pixel_size, neighbourhood, progress, heights, settings, sort
     with sort_and_image(*chosen) as (image, _points):
         return image
 
@@ -125,14 +129,14 @@ class SortedPoints:
 
     Attributes
     ----------
-    store : TileStore
+    store : SortedTiles
     keys : list of tuple of int
         The tiles of the site.
     grid : Grid
         The pixels of the density image.
     """
 
-    store: TileStore
+    store: SortedTiles
     keys: list[tuple[int, int]]
     grid: Grid
 
@@ -146,6 +150,7 @@ def sort_and_image(
     progress: Progress = Progress(),
     heights: HeightRange = HeightRange(),
     settings: DensitySettings = DensitySettings(),
+    sort: Sorter = sort_here,
 ) -> Iterator[tuple[DensityImage, SortedPoints]]:
     """Compute the density image as `density_image` does, and keep the sorted points for a further pass.
 
@@ -154,8 +159,7 @@ def sort_and_image(
     image : DensityImage
     points : SortedPoints
     """
-    with TileStore(tile_edge(spacing)) as store:
-        fill(store, cloud, progress.part(0.0, 0.45))
+    with sort(cloud, tile_edge(spacing), False, progress.part(0.0, 0.45)) as store:
         keys, stray = site_tiles(store, settings.site)
         if stray > store.point_count / 2:
             raise InputError(
@@ -170,14 +174,12 @@ def sort_and_image(
         grid = make_grid(low[:2], high[:2], to_lattice(pixel_size), neighbourhood + 1, settings.site)
         is_cut = math.isfinite(heights.low) and not heights.above_ground
         ground = ground_surface(surface, is_cut, settings.ground)
-        bands = Bands(grid, at_pixels(ground, surface.grid, grid), settings)
+        below = at_pixels(ground, surface.grid, grid)
         if heights.is_limited and heights.above_ground:
-            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, bands.ground)
-            bands.ground += max(heights.low, 0.0)
-        kept = 0
-        for tile, rows in thin_tiles(store, keys, spacing, progress.part(0.65, 1.0), beside=bands.stack):
-            bands.spread(tile, rows, neighbourhood)
-            kept += len(rows)
+            keys = cut(store, keys, heights, cloud, progress.part(0.6, 0.65), grid, below)
+            below += max(heights.low, 0.0)
+        chosen = spacing, neighbourhood, settings, progress.part(0.65, 1.0)
+        bands, kept = filled_bands(store, keys, grid, below, *chosen)
         warnings = (
             *cloud.warnings,
             *stray_warning(cloud, stray, store.point_count),
@@ -196,7 +198,7 @@ def _doubts(size: np.ndarray, spacing: float, pixel_size: float) -> Iterator[str
 
 
 def _survey(
-    store: TileStore, keys: list[tuple[int, int]], pixel: int, settings: DensitySettings, progress: Progress
+    store: SortedTiles, keys: list[tuple[int, int]], pixel: int, settings: DensitySettings, progress: Progress
 ) -> tuple[np.ndarray, np.ndarray, LowestSurface]:
     """Return the smallest and largest x, y, z of the site, and its lowest surface.
 
@@ -207,18 +209,21 @@ def _survey(
     high = np.array([columns.max() + 1, rows.max() + 1]) * store.edge - 1
     make_grid(low, high, pixel, 0, settings.site)
     cells = make_grid(low, high, to_lattice(settings.ground.cell_m), 0, settings.site)
-    surface = LowestSurface(cells, settings.ground)
-
-    def look_at(item: tuple[Key, Tile]) -> tuple[np.ndarray, np.ndarray]:
-        tile = item[1]
-        surface.add(tile)
-        low, high = limits_of(tile.xyz)
-        corner = np.array([*tile.corner, 0])
-        return low + corner, high + corner
-
-    tiles = store.tiles(sorted(keys), progress, "Finding the ground")
-    least, most = zip(*in_order(look_at, tiles))
+    surface = LowestSurface(cells)
+    jobs = dict.fromkeys(sorted(keys), (settings.ground,))
+    least, most = [], []
+    for key, (lowest, highest, *found) in store.each(_seen, jobs, progress, "Finding the ground"):
+        surface.put(key, *found)
+        least.append(lowest)
+        most.append(highest)
     return np.min(least, axis=0), np.max(most, axis=0), surface
+
+
+def _seen(tile: Tile, settings: GroundSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return the smallest and largest x, y, z of a tile, and the cells of its lowest surface."""
+    low, high = limits_of(tile.xyz)
+    corner = np.array([*tile.corner, 0])
+    return low + corner, high + corner, *lowest_cells(tile, settings)
 
 
 def _image(

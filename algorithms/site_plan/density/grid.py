@@ -1,5 +1,6 @@
 """The pixels of a site: where they lie, and how far the site reaches."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,7 +8,7 @@ from affine import Affine
 
 from ...clouds.strays import stray_cells
 from ...clouds.tiles.lattice import LATTICE
-from ...clouds.tiles.tile_store import TileStore
+from ...clouds.tiles.tiles import Key, SortedTiles
 from ...errors import InputError
 from .settings import SiteSettings
 
@@ -42,6 +43,30 @@ class Grid:
         """Lower left corner in lattice steps."""
         return self.column * self.step, self.row * self.step
 
+    def part(self, low: Sequence[int], high: Sequence[int]) -> "Grid":
+        """Return the pixels that lie between two corners x, y, in lattice steps, at least in part."""
+        column, row = max(low[0] // self.step, self.column), max(low[1] // self.step, self.row)
+        right = min(high[0] // self.step + 1, self.column + self.width)
+        above = min(high[1] // self.step + 1, self.row + self.height)
+        return Grid(column, row, max(right - column, 0), max(above - row, 0), self.step)
+
+    def overlap(self, other: "Grid") -> "Grid":
+        """Return the pixels that are those of another grid too, of the same pixels."""
+        column, row = other.corner
+        return self.part(
+            other.corner, (column + other.width * self.step - 1, row + other.height * self.step - 1)
+        )
+
+    def around(self, tile: Key, edge: int) -> "Grid":
+        """Return the pixels in which the points of a tile of `edge` lattice steps may lie."""
+        low = tile[0] * edge, tile[1] * edge
+        return self.part(low, (low[0] + edge - 1, low[1] + edge - 1))
+
+    def slices(self, part: "Grid", finer: int = 1) -> tuple[slice, slice]:
+        """Return the rows and columns of a part, where each pixel is cut into `finer` rows and columns."""
+        row, column = (part.row - self.row) * finer, (part.column - self.column) * finer
+        return slice(row, row + part.height * finer), slice(column, column + part.width * finer)
+
     @property
     def transform(self) -> Affine:
         """Affine transform from (column, row from the top) to world coordinates."""
@@ -54,7 +79,7 @@ class Grid:
 
 
 def site_tiles(
-    store: TileStore, settings: SiteSettings = SiteSettings()
+    store: SortedTiles, settings: SiteSettings = SiteSettings()
 ) -> tuple[list[tuple[int, int]], int]:
     """Separate the tiles of the site from those that hold stray points far away; see `clouds.strays`.
 

@@ -4,7 +4,7 @@ import numpy as np
 from scipy import ndimage
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
-from ...clouds.tiles.tile_store import Tile
+from ...clouds.tiles.tiles import Key, Tile
 from ...geometry.linked_parts import label_linked
 from ...kernels import kernel
 from .grid import Grid
@@ -24,31 +24,35 @@ class LowestSurface:
         Whether there are fewer points right above the layer than in it, as above a ground.
     """
 
-    def __init__(self, grid: Grid, settings: GroundSettings = GroundSettings()) -> None:
-        self.grid, self.settings = grid, settings
+    def __init__(self, grid: Grid) -> None:
+        self.grid = grid
         self.height = np.full(grid.shape, np.nan)
         self.clear = np.zeros(grid.shape, bool)
 
-    def add(self, tile: Tile) -> None:
-        """Fill in the cells of a tile.
-
-        Raises
-        ------
-        ValueError
-            If a cell would reach into the next tile.
-        """
-        side, rest = divmod(tile.edge, self.grid.step)
-        if rest:
-            raise ValueError(
-                f"cell_m: cells of {self.settings.cell_m} m do not divide a tile into whole cells."
-            )
-        column, row = ((tile.corner[i] - self.grid.corner[i]) // self.grid.step for i in (0, 1))
+    def put(self, key: Key, height: np.ndarray, clear: np.ndarray) -> None:
+        """Fill in the cells of a tile, as `lowest_cells` returns them."""
+        side = len(height)
+        row, column = key[1] * side - self.grid.row, key[0] * side - self.grid.column
         cells = slice(row, row + side), slice(column, column + side)
-        own = self.settings
-        counts, sums = _layers(tile.xyz, self.grid.step, side, to_lattice(own.layer_m))
-        support = own.support_share, own.support_points
-        self.height[cells], self.clear[cells] = _lowest(counts, sums, *support, own.clearance_layers)
-        self.height[cells] *= LATTICE
+        self.height[cells], self.clear[cells] = height, clear
+
+
+def lowest_cells(tile: Tile, settings: GroundSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Return `height` and `clear` of the cells of a tile; see `LowestSurface`.
+
+    Raises
+    ------
+    ValueError
+        If a cell would reach into the next tile.
+    """
+    step = to_lattice(settings.cell_m)
+    side, rest = divmod(tile.edge, step)
+    if rest:
+        raise ValueError(f"cell_m: cells of {settings.cell_m} m do not divide a tile into whole cells.")
+    counts, sums = _layers(tile.xyz, step, side, to_lattice(settings.layer_m))
+    support = settings.support_share, settings.support_points
+    height, clear = _lowest(counts, sums, *support, settings.clearance_layers)
+    return height * LATTICE, clear
 
 
 @kernel

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...clouds.cloud import Cloud, names_of
 from ...clouds.tiles.lattice import LATTICE
-from ...clouds.tiles.tile_store import Tile, TileStore
+from ...clouds.tiles.tiles import SortedTiles, Tile
 from ...errors import InputError
 from ...progress import Progress
 from .grid import Grid
@@ -46,7 +46,7 @@ class HeightRange:
 
 
 def cut(
-    store: TileStore,
+    store: SortedTiles,
     keys: list[tuple[int, int]],
     heights: HeightRange,
     cloud: Cloud,
@@ -58,7 +58,7 @@ def cut(
 
     Parameters
     ----------
-    store : TileStore
+    store : SortedTiles
         All points.
     keys : list of tuple of int
         The tiles of the site.
@@ -84,15 +84,15 @@ def cut(
     InputError
         If no point is left.
     """
+    jobs: dict[tuple[int, int], tuple[object, ...]] = dict.fromkeys(sorted(keys), (heights,))
+    if ground is not None and grid is not None:
+        for key in jobs:
+            part = grid.around(key, store.edge)
+            jobs[key] = heights, part, ground[grid.slices(part)]
     left, reach = [], []
-    for key, tile in store.tiles(sorted(keys), progress, "Cutting by height"):
-        z = tile.xyz[:, 2] * LATTICE
-        if ground is not None and grid is not None:
-            z = z - ground[_pixels(tile, grid)]
-        reach += [z.min(), z.max()]
-        rows = np.flatnonzero((z >= heights.low) & (z < heights.high))
-        store.keep(key, rows)
-        if len(rows):
+    for key, (count, *limits) in store.keep_where(_within, jobs, progress, "Cutting by height"):
+        reach += limits
+        if count:
             left.append(key)
     if not left:
         above = "" if ground is None else " above the ground"
@@ -100,7 +100,18 @@ def cut(
             f"{names_of(cloud.sources)}: no point lies from ZMIN {heights.low:g} to ZMAX {heights.high:g} m"
             f"{above}; the heights reach from {min(reach):.2f} to {max(reach):.2f} m{above}."
         )
-    return left
+    return sorted(left)
+
+
+def _within(
+    tile: Tile, heights: HeightRange, grid: Optional[Grid] = None, ground: Optional[np.ndarray] = None
+) -> tuple[np.ndarray, tuple[int, float, float]]:
+    """Return the rows within the range, how many they are, and the lowest and highest of all points."""
+    z = tile.xyz[:, 2] * LATTICE
+    if ground is not None and grid is not None:
+        z = z - ground[_pixels(tile, grid)]
+    rows = np.flatnonzero((z >= heights.low) & (z < heights.high))
+    return rows, (len(rows), z.min(), z.max())
 
 
 def _pixels(tile: Tile, grid: Grid) -> tuple[np.ndarray, np.ndarray]:

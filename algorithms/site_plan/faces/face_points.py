@@ -10,11 +10,11 @@ import numpy as np
 from scipy import ndimage
 
 from ...clouds.tiles.lattice import LATTICE, to_lattice
-from ...clouds.tiles.tile_store import Key, Tile
+from ...clouds.tiles.tiles import Tile
 from ...kernels import kernel
-from ...parallel import in_order
 from ...progress import Progress
 from ..density.density_image import DensityImage, SortedPoints
+from ..density.grid import Grid
 from .settings import FacePointSettings
 
 SQUARE = 0.25
@@ -106,15 +106,29 @@ def gather_face_points(
     low, high = _window(image, walls, flat, settings)
     window = low, high, (high - low) / settings.levels
 
-    def gather(item: tuple[Key, Tile]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        tile = item[1]
-        offset = np.array([tile.corner[i] - grid.corner[i] for i in (0, 1)])
-        level = _levels(near, ground, tile.xyz, *offset, grid.step, LATTICE, *window)
-        return _voxels(tile, level, offset, to_lattice(settings.voxel_m))
-
-    tiles = points.store.tiles(points.keys, progress, "Gathering the points of the faces")
-    xy, level, count = (np.concatenate(parts) for parts in zip(*in_order(gather, tiles)))
+    jobs = {}
+    for key in sorted(points.keys):
+        part = grid.around(key, points.store.edge)
+        own = grid.slices(part)
+        jobs[key] = part, near[own], ground[own], window, grid.corner, to_lattice(settings.voxel_m)
+    gathered = dict(points.store.each(_gather, jobs, progress, "Gathering the points of the faces"))
+    xy, level, count = (np.concatenate(parts) for parts in zip(*(gathered[key] for key in jobs)))
     return face_points(xy, level, count, flat)
+
+
+def _gather(
+    tile: Tile,
+    grid: Grid,
+    near: np.ndarray,
+    ground: np.ndarray,
+    window: tuple[float, float, float],
+    origin: tuple[int, int],
+    voxel: int,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the voxels of a tile near wall pixels; `near` and `ground` are those of the pixels `grid`."""
+    x0, y0 = (tile.corner[i] - grid.corner[i] for i in (0, 1))
+    level = _levels(near, ground, tile.xyz, x0, y0, grid.step, LATTICE, *window)
+    return _voxels(tile, level, np.subtract(tile.corner, origin), voxel)
 
 
 def _window(

@@ -284,3 +284,12 @@ def test_a_coarse_scale_is_said_with_its_step(tmp_path, scale, said):
     header.scales = np.full(3, scale)
     warnings = LasSource.open(write(tmp_path / "scan.las", header, points)).warnings
     assert any(f"in steps of {scale} m" in sentence for sentence in warnings) == said
+
+
+@pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
+def test_runs_of_a_file_are_read_each_on_its_own(tmp_path, name):
+    source = LasSource.open(write(tmp_path / name, *records(2500)))
+    runs = source.runs(1100)
+    assert [run.expected_points for run in runs] == [1100, 1100, 300]
+    np.testing.assert_array_equal(np.concatenate([read(run)[0] for run in runs]), read(source)[0])
+    np.testing.assert_array_equal(read(runs[2].runs(200)[1])[0], read(source)[0][2400:])

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ichnograph.algorithms.clouds.thinning.thinning import thin_cloud
+from ichnograph.algorithms.clouds.thinning.thinning import deciding, thin_cloud, thin_tiles
+from ichnograph.algorithms.clouds.tiles.tile_store import TileStore
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
 from scipy.spatial import cKDTree
@@ -117,3 +118,35 @@ def test_geocentric_coordinates_are_refused():
 def test_cancelling_stops_the_work():
     with pytest.raises(CancelledError):
         thin_cloud(cloud_of(scattered(100)), 0.05, Progress(is_cancelled=lambda: True))
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 1000), own=st.sets(st.tuples(st.integers(-4, 3), st.integers(-4, 3)), min_size=1))
+def test_the_choice_in_some_tiles_depends_on_no_more_than_the_tiles_that_decide_it(seed, own):
+    with TileStore(4.0, is_numbered=True) as store:
+        # Sparse enough for a choice to depend on that in the next tile, and that on the one after.
+        store.add(scattered(400, seed, size=(15.0, 15.0, 0.1)), np.zeros(3))
+        among = set(store.counts())
+        own &= among
+        needed = deciding(own, among)
+        assert own <= {*needed} <= among
+
+        whole = chosen(store, list(among), own)
+        assert chosen(store, needed, own) == whole
+
+
+def chosen(store, keys, own):
+    """Return the numbers of the points chosen in the tiles `own` when `keys` are thinned."""
+    return {
+        tile.key: tile.index[rows].tolist()
+        for tile, rows in thin_tiles(store, keys, 3.5, Progress())
+        if tile.key in own
+    }
+
+
+def test_the_choice_in_a_tile_depends_on_tiles_three_columns_and_a_row_away_at_most():
+    every = {(column, row) for column in range(-8, 8) for row in range(-8, 8)}
+    far = [
+        np.abs(np.array(deciding([key], every)) - key).max(axis=0) for key in ((0, 0), (1, 0), (0, 1), (1, 1))
+    ]
+    np.testing.assert_array_equal(far, [(0, 0), (1, 0), (2, 1), (3, 1)])

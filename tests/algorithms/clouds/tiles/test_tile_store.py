@@ -8,7 +8,7 @@ import pytest
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.settings import TileSettings
 from ichnograph.algorithms.clouds.tiles.lattice import LATTICE
-from ichnograph.algorithms.clouds.tiles.tile_store import TileStore, fill, stray_warning
+from ichnograph.algorithms.clouds.tiles.tile_store import TileStore, fill, sort_here, stray_warning
 from ichnograph.algorithms.errors import InputError
 from ichnograph.algorithms.progress import Progress
 
@@ -126,3 +126,16 @@ def test_a_temporary_folder_that_is_missing_is_one_sentence(monkeypatch, tmp_pat
         pytest.raises(InputError, match="temporary file of the points cannot be written"),
     ):
         store.add(XYZ, ORIGIN)
+
+
+def test_points_can_be_left_out_by_a_rule_of_each_tile(tmp_path):
+    with sort_here(cloud(tmp_path / "a.xyz", range(9)), 4.0, False, Progress()) as store:
+        jobs = {key: (limit,) for limit, key in enumerate(sorted(store.counts()), start=1)}
+        found = dict(store.keep_where(lowest, jobs, Progress(), "Cutting"))
+        assert found == {(0, 0): 4, (1, 0): 4, (2, 0): 1}
+        assert store.counts() == {(0, 0): 1, (1, 0): 2, (2, 0): 1}
+
+
+def lowest(tile, count):
+    """Return the lowest rows of a tile, and how many it had."""
+    return np.sort(np.argsort(tile.xyz[:, 2])[:count]), len(tile.xyz)

@@ -39,3 +39,22 @@ def test_tiles_of_few_points_far_away_are_left_out_and_counted():
     keys, stray = site_tiles(store({(0, 0): 100_000, (1, 0): 500, (50, 0): 50}))
     assert keys == [(0, 0), (1, 0)]
     assert stray == 50
+
+
+def test_a_part_of_a_grid_holds_the_pixels_that_an_area_touches():
+    grid = Grid(11, -2, 6, 5, 10_000)
+    part = grid.part((125_000, -9_000), (139_999, 0))
+    assert part == Grid(12, -1, 2, 2, 10_000)
+    assert grid.part((0, 0), (10**6, 10**6)) == Grid(11, 0, 6, 3, 10_000)
+    assert grid.overlap(Grid(15, 1, 9, 9, 10_000)) == Grid(15, 1, 2, 2, 10_000)
+    assert grid.overlap(Grid(90, 90, 9, 9, 10_000)).shape == (0, 0)
+
+
+def test_the_pixels_of_a_part_are_found_in_the_whole():
+    grid = Grid(11, -2, 6, 5, 10_000)
+    assert grid.slices(Grid(12, -1, 2, 3, 10_000)) == (slice(1, 4), slice(1, 3))
+    assert grid.slices(Grid(12, -1, 2, 3, 10_000), finer=4) == (slice(4, 16), slice(4, 12))
+
+
+def test_the_points_of_a_tile_lie_in_the_pixels_around_it():
+    assert Grid(0, 0, 50, 50, 30_000).around((1, 0), 100_000) == Grid(3, 0, 4, 4, 30_000)

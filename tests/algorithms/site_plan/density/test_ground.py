@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.clouds.tiles.tile_store import Tile
+from ichnograph.algorithms.clouds.tiles.tiles import Tile
 from ichnograph.algorithms.site_plan.density.grid import Grid
-from ichnograph.algorithms.site_plan.density.ground import LowestSurface, ground_surface
+from ichnograph.algorithms.site_plan.density.ground import LowestSurface, ground_surface, lowest_cells
 from ichnograph.algorithms.site_plan.density.settings import GroundSettings
 
 
@@ -26,9 +26,9 @@ def test_the_ground_of_a_slope_is_the_slope():
 
 
 def test_cells_that_do_not_divide_a_tile_are_refused():
-    surface = LowestSurface(Grid(0, 0, 12, 12, step=35_000), GroundSettings(cell_m=0.35))
+    tile = Tile((0, 0), np.zeros((1, 3), np.int32), np.zeros(1, np.int64), 400_000)
     with pytest.raises(ValueError, match="cell_m"):
-        surface.add(Tile((0, 0), np.zeros((1, 3), np.int32), np.zeros(1, np.int64), 400_000))
+        lowest_cells(tile, GroundSettings(cell_m=0.35))
 
 
 def test_a_terrace_keeps_its_own_height_up_to_the_edge():
