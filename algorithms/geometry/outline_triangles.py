@@ -137,6 +137,7 @@ def triangulate_outlines(
     for _ in range(settings.rounds):
         delaunay = apart(Delaunay, points, progress=progress)
         missing = ~np.isin(_names(pieces), _names(_all_sides(delaunay.simplices)))
+        missing &= np.linalg.norm(np.diff(points[pieces], axis=1)[:, 0], axis=1) >= settings.shortest_m
         if not missing.any():
             break
         points, pieces = _halved(points, pieces, missing)
