@@ -3,15 +3,54 @@
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from threading import Thread
 from typing import Any, Callable, TypeVar
+
+from .progress import Progress
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 WAITING = 2
 """Items for each core that are begun: fewer leave cores idle, more hold memory without gain."""
+
+
+POLL_S = 0.1
+"""Between two looks whether a long call has ended, or the user has cancelled."""
+
+
+def apart(function: Callable[..., Result], *arguments: Any, progress: Progress = Progress()) -> Result:
+    """Return the result of one long call of another package, which a cancel need not wait for.
+
+    The call has a thread of its own, so the thread of the caller can be interrupted while it waits. After a
+    cancel the call runs to its end in vain; it must leave the lock of Python and change nothing.
+
+    Parameters
+    ----------
+    function : callable
+    *arguments
+    progress : Progress
+        Asked whether to stop.
+
+    Raises
+    ------
+    CancelledError
+    """
+    outcome: Future[Result] = Future()
+
+    def call() -> None:
+        try:
+            outcome.set_result(function(*arguments))
+        except BaseException as error:
+            outcome.set_exception(error)
+
+    Thread(target=call, name=getattr(function, "__name__", "call"), daemon=True).start()
+    while not outcome.done():
+        wait([outcome], POLL_S)
+        progress.check()
+    return outcome.result()
 
 
 def ahead(items: Iterable[Item]) -> Iterator[Item]:

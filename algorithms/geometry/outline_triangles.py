@@ -16,6 +16,8 @@ from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 
+from ..parallel import apart
+from ..progress import Progress
 from .linked_parts import label_linked
 from .settings import OutlineMeshSettings
 from .triangulation import triangle_areas
@@ -106,6 +108,7 @@ def triangulate_outlines(
     outlines: Iterable[Polygon],
     settings: OutlineMeshSettings = OutlineMeshSettings(),
     margin: float = 0.0,
+    progress: Progress = Progress(),
 ) -> OutlineMesh:
     """Triangulate walls and the space around them.
 
@@ -116,6 +119,8 @@ def triangulate_outlines(
     settings : OutlineMeshSettings
     margin : float
         How far the space reaches beyond them at least, in metres.
+    progress : Progress
+        Asked whether to stop.
     """
     margin = max(margin, settings.margin_m)
     outlines = list(outlines)
@@ -130,8 +135,9 @@ def triangulate_outlines(
     frame = _sampled(united.envelope.buffer(margin, join_style=2).exterior, margin)
     points, pieces = _indexed(rings, frame)
     for _ in range(settings.rounds):
-        delaunay = Delaunay(points)
+        delaunay = apart(Delaunay, points, progress=progress)
         missing = ~np.isin(_names(pieces), _names(_all_sides(delaunay.simplices)))
+        missing &= np.linalg.norm(np.diff(points[pieces], axis=1)[:, 0], axis=1) >= settings.shortest_m
         if not missing.any():
             break
         points, pieces = _halved(points, pieces, missing)

@@ -25,6 +25,10 @@ class OutlineMeshSettings:
 
     spacing_m: float = judged(0.1, "Between samples of an outline: shorter than walls are thick.")
     margin_m: float = judged(1.0, "The space beyond the walls is so wide, or twice as wide as a door.")
+    shortest_m: float = judged(
+        0.001,
+        "Shorter pieces are not halved: faces so near each other cross, and more pieces do not part them.",
+    )
     rounds: int = judged(20, "Pieces of outlines are halved so often at most, until thin walls are tight.")
 
 

@@ -7,6 +7,8 @@ import numpy as np
 from scipy.spatial import Delaunay, QhullError
 
 from ..kernels import kernel
+from ..parallel import apart
+from ..progress import Progress
 
 Links = tuple[np.ndarray, np.ndarray]
 """The neighbours of points, in compressed rows: where those of each point begin, and the neighbours."""
@@ -197,13 +199,13 @@ def triangle_areas(corners: np.ndarray) -> np.ndarray:
     return 0.5 * np.abs(x * v - y * u)
 
 
-def triangulate(points: np.ndarray) -> Mesh:
+def triangulate(points: np.ndarray, progress: Progress = Progress()) -> Mesh:
     """Return the Delaunay triangulation of points, shape (n, 2); without triangles if all lie on one line."""
     try:
         if len(points) >= FEWEST:
             # Near the origin, because qhull rounds all to the precision of the largest number.
-            found = Delaunay(points - points.mean(axis=0)).simplices
-            return Mesh(points, found)
+            found = apart(Delaunay, points - points.mean(axis=0), progress=progress)
+            return Mesh(points, found.simplices)
     except QhullError:
         pass
     return Mesh(points, np.empty((0, 3), np.int32))

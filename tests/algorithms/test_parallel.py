@@ -5,7 +5,9 @@ import time
 
 import numpy as np
 import pytest
-from ichnograph.algorithms.parallel import ahead, in_order, in_parts
+from ichnograph.algorithms.errors import CancelledError
+from ichnograph.algorithms.parallel import ahead, apart, in_order, in_parts
+from ichnograph.algorithms.progress import Progress
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 50])
@@ -81,3 +83,18 @@ def test_an_error_reaches_the_caller():
         list(in_order(fails, [0, 1]))
     with pytest.raises(ValueError, match="third"):
         list(ahead(broken()))
+
+
+def test_a_long_call_gives_its_result_or_its_error():
+    assert apart(sorted, [3, 1, 2]) == [1, 2, 3]
+    with pytest.raises(ZeroDivisionError):
+        apart(divmod, 1, 0)
+
+
+def test_a_cancel_does_not_wait_for_the_end_of_a_long_call():
+    ended = threading.Event()
+    start = time.monotonic()
+    with pytest.raises(CancelledError):
+        apart(ended.wait, 60, progress=Progress(is_cancelled=lambda: True))
+    ended.set()
+    assert time.monotonic() - start < 30

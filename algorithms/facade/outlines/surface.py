@@ -77,8 +77,7 @@ def make_surface(
         Asked between the steps whether to go on, because a thread cannot be interrupted.
     """
     rows = rows[np.lexsort(uvw[rows, :2].T)]
-    mesh = triangulate(uvw[rows, :2])
-    progress.check()
+    mesh = triangulate(uvw[rows, :2], progress)
     if settings.alpha_m is None:
         alphas = alpha_of(mesh, settings.outlines)
     else:

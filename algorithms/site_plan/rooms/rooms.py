@@ -83,7 +83,7 @@ def find_rooms(
     if not outlines:
         return ()
     progress.update(0.0, "Triangulating the space between walls")
-    mesh = triangulate_outlines(outlines, settings.mesh, margin=2 * settings.door_width_m)
+    mesh = triangulate_outlines(outlines, settings.mesh, margin=2 * settings.door_width_m, progress=progress)
     spaces = _spaces(mesh, settings.door_width_m, settings.spaces)
     mesh = _at_narrowest(mesh, spaces.gap_ends)
     numbers, found = np.flatnonzero(spaces.is_room), []

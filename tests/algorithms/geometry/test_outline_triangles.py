@@ -53,3 +53,10 @@ def test_the_space_around_reaches_the_margin():
     assert np.ptp(wide.points, axis=0) == pytest.approx([12, 10])
     near = triangulate_outlines([HOUSE], OutlineMeshSettings(margin_m=0.5))
     assert np.ptp(near.points, axis=0) == pytest.approx([7, 5])
+
+
+def test_faces_that_cross_by_less_than_a_millimetre_end_the_halving():
+    # Rounding of large coordinates leaves such outlines; each round of halving would double their points.
+    slit = Polygon([(0, 0), (8, 0), (8, 3), (4.00005, 3), (4, 0.5), (3.99995, 3), (0, 3)])
+    mesh = triangulate_outlines([slit, box(4, 2.9999, 12, 6)])
+    assert len(mesh.points) < 20_000
