@@ -2647,8 +2647,8 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
-        <translation>Flächenstücke von etwa einem Meter, die zwei Scans gemeinsam haben; Überlappung: der Teil der Flächen des Scans mit weniger Flächen, den auch der andere hat; Abstand: wie weit die Stücke beider nach der Ausgleichung auseinanderliegen, als quadratisches Mittel; gleitet: ob sie eine Richtung frei lassen, die nur Zielmarken halten.</translation>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which only targets or other scans hold.</source>
+        <translation>Flächenstücke von etwa einem Meter, die zwei Scans gemeinsam haben; Überlappung: der Teil der Flächen des Scans mit weniger Flächen, den auch der andere hat; Abstand: wie weit die Stücke beider nach der Ausgleichung auseinanderliegen, als quadratisches Mittel; gleitet: ob sie eine Richtung frei lassen, die nur Zielmarken oder andere Scans halten.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -3596,13 +3596,13 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
-        <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie allein Zielmarken.</translation>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, only targets or other scans hold them.</source>
+        <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie nur Zielmarken oder andere Scans.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
-        <translation>%1 und %2 haben nur Flächen einer Richtung gemeinsam und gleiten in alle Richtungen an ihnen entlang; dort halten sie allein Zielmarken.</translation>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, only targets or other scans hold them.</source>
+        <translation>%1 und %2 haben nur Flächen einer Richtung gemeinsam und gleiten in alle Richtungen an ihnen entlang; dort halten sie nur Zielmarken oder andere Scans.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/tie.py"/>

@@ -2647,8 +2647,8 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
-        <translation>Morceaux de surface d&#x27;environ un mètre que deux scans ont en commun ; recouvrement : la part des surfaces du scan qui en a le moins que l&#x27;autre a aussi ; distance : l&#x27;écart des morceaux des deux après la compensation, en moyenne quadratique ; glisse : s&#x27;ils laissent libre une direction que seules les cibles tiennent.</translation>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which only targets or other scans hold.</source>
+        <translation>Morceaux de surface d&#x27;environ un mètre que deux scans ont en commun ; recouvrement : la part des surfaces du scan qui en a le moins que l&#x27;autre a aussi ; distance : l&#x27;écart des morceaux des deux après la compensation, en moyenne quadratique ; glisse : s&#x27;ils laissent libre une direction que seuls des cibles ou d&#x27;autres scans tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -3596,13 +3596,13 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
-        <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seules les cibles les tiennent.</translation>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, only targets or other scans hold them.</source>
+        <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seuls des cibles ou d&#x27;autres scans les tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
-        <translation>%1 et %2 n&#x27;ont en commun que des surfaces d&#x27;une seule orientation et glissent le long de celles-ci dans toutes les directions ; là, seules les cibles les tiennent.</translation>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, only targets or other scans hold them.</source>
+        <translation>%1 et %2 n&#x27;ont en commun que des surfaces d&#x27;une seule orientation et glissent le long de celles-ci dans toutes les directions ; là, seuls des cibles ou d&#x27;autres scans les tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/tie.py"/>

@@ -87,8 +87,8 @@ def _legend(tests: OutlierTestSettings) -> dict[str, str]:
         "round 1, and so on.",
         "Shared surfaces": "Patches of about a metre that two scans share; overlap: the part of the surface "
         "of the scan with less that the other has too; distance: how far the patches of both lie apart after "
-        "the adjustment, root mean square; slides: whether they leave a direction free, which targets alone "
-        "hold.",
+        "the adjustment, root mean square; slides: whether they leave a direction free, which only targets "
+        "or other scans hold.",
         "Scale": "What the targets say about the scale, in parts per million from 1, whether or not it was "
         "estimated.",
     }

@@ -365,11 +365,11 @@ def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:
         if len(item.free) == 1:
             sentences.append(
                 f"{one} and {other} slide along the surfaces that they share, {spoken(item.free[0])}; in "
-                "that direction, targets alone hold them."
+                "that direction, only targets or other scans hold them."
             )
         elif len(item.free):
             sentences.append(
                 f"{one} and {other} share only surfaces that face one way, and slide in all directions along "
-                "them; there, targets alone hold them."
+                "them; there, only targets or other scans hold them."
             )
     return sentences
