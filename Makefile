@@ -17,7 +17,7 @@ RUN_PEERS = LD_LIBRARY_PATH=$(CURDIR)/.peers/usr/lib/$(shell uname -m)-linux-gnu
 
 .PHONY: help setup demo test suite lint accuracy plan rooms lived-in ablation benchmark figure2 real package test-matrix
 .PHONY: desktop models example kills refusals cancel leaks facade streets facade-peers constants house sensitivity house-picture
-.PHONY: registration registration-chain registration-surfaces peers registration-statistics registration-figure
+.PHONY: registration registration-chain registration-surfaces placement peers registration-statistics registration-figure
 .DELETE_ON_ERROR:
 
 help:  ## Show this list
@@ -155,6 +155,9 @@ registration-figure: setup  ## Draw figure 9 of the paper: five points of a list
 
 registration-chain: setup  ## Print whether errors at the end of a chain of scans are as predicted
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_chain
+
+placement: setup  ## Print which scans surfaces place without any target, and how exactly (SEEDS=4)
+	$(RUN_REGISTRATION) -m ichnograph.benchmarks.placement --seeds $(or $(SEEDS),4)
 
 registration-surfaces: setup  ## Print how far a chain of scans drifts if surfaces tie it (CHAINS=4)
 	$(RUN_REGISTRATION) -m ichnograph.benchmarks.registration_chain --surfaces --chains $(or $(CHAINS),4)

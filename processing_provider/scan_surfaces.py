@@ -15,6 +15,25 @@ if TYPE_CHECKING:
     from ..algorithms.registration.surfaces.patches import Surfaces
 
 
+def with_clouds_alone(lists: "Sequence[PointList]", paths: Sequence[str]) -> "list[PointList]":
+    """Return lists of targets, and empty ones for the clouds that have none; surfaces may place these.
+
+    Parameters
+    ----------
+    lists : sequence of PointList
+    paths : sequence of str
+        Of the clouds; what is given twice counts once.
+    """
+    import numpy as np
+
+    from ..algorithms.registration.lists.point_list import PointList
+    from ..algorithms.registration.lists.scan_names import has_list, scan_name
+
+    names = [points.name for points in lists]
+    alone = [path for path in _each_once(paths) if not has_list(names, path)]
+    return [*lists, *(PointList(scan_name(path), (), np.zeros((0, 3)), named=False) for path in alone)]
+
+
 def surfaces_of_scans(
     paths: Sequence[str],
     lists: "Sequence[PointList]",
@@ -59,7 +78,7 @@ def surfaces_of_scans(
     for name, (source, part) in zip(clouds, parts(cloud.sources, progress)):
         part.update(0.0, f"Finding the surfaces of {source.path.name}")
         found[name] = read_surfaces(source, settings.surfaces, part)
-        log.info(f"{name}: {len(found[name])} plane cells.")
+        log.info(f"{name}: {len(found[name].exact)} plane cells.")
     return found
 
 
@@ -68,7 +87,7 @@ def _clouds_of(names: Sequence[str], paths: Sequence[str], log: Log) -> dict[str
     from ..algorithms.registration.lists.scan_names import scan_of_cloud
 
     found: dict[str, Path] = {}
-    for path in {Path(path).resolve(): Path(path) for path in paths}.values():
+    for path in _each_once(paths):
         number = scan_of_cloud(names, path)
         if number is None:
             log.warn([f"{path.name} is not used to tie scans, because no list of targets has its name."])
@@ -89,3 +108,7 @@ def _clouds_of(names: Sequence[str], paths: Sequence[str], log: Log) -> dict[str
             "REFINE needs the clouds of at least two scans; choose them in SCANS, each named after its list."
         )
     return found
+
+
+def _each_once(paths: Sequence[str]) -> list[Path]:
+    return list({Path(path).resolve(): Path(path) for path in paths}.values())

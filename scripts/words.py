@@ -81,6 +81,7 @@ WORDS = {
     "segmental",
     "share",
     "sill",
+    "sliding",
     "sloped",
     "sphere",
     "straight",

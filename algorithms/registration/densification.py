@@ -1,6 +1,7 @@
 """The densification of the control network by the targets of a registered scan."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -13,6 +14,7 @@ from .adjustment.target_covariances import in_control_frame
 from .adjustment.target_layout import line_width
 from .lists.point_list import PointList
 from .matching.scan_matching import ScanMatch
+from .results import Placement
 from .settings import Settings
 
 
@@ -23,27 +25,33 @@ class PlacedScan:
     Attributes
     ----------
     scan : PointList
-    match : ScanMatch
-    round : int
-        1 if surveyed points sufficed.
+    match : ScanMatch or None
+        None if targets did not place the scan.
+    round : int or None
+        1 if surveyed points sufficed; None if targets did not place the scan.
     pose : Pose
-    cofactors : ndarray, shape (u, u)
-        Covariance of the parameters, by the a priori standard deviations.
     labels : ndarray of int, shape (n,)
         The point of each target: its control point, also of those that were rejected, or the point that was
         appended for it.
     rejected : dict of int to ndarray, shape (3,)
         Rows of targets that are not used, with Baarda's w that led to it; nan if they are too far off to be
         tested.
+    placement : Placement or None
+        How surfaces placed the scan, if they did.
     """
 
     scan: PointList
-    match: ScanMatch
-    round: int
+    match: Optional[ScanMatch]
+    round: Optional[int]
     pose: Pose
-    cofactors: np.ndarray
     labels: np.ndarray
     rejected: dict[int, np.ndarray]
+    placement: Optional[Placement] = None
+
+    @property
+    def held(self) -> bool:
+        """Whether the frame of the scan is the frame of all, because there are no control points."""
+        return self.match is None and self.placement is None
 
 
 def placed_scan(
@@ -78,7 +86,7 @@ def placed_scan(
     fresh = np.flatnonzero(labels < 0)
     network = _appended(scan, fit, fresh, labels[used], network, settings.sigma)
     labels[fresh] = len(network.names) - len(fresh) + np.arange(len(fresh))
-    return PlacedScan(scan, match, number, fit.pose, fit.cofactors, labels, rejected), network
+    return PlacedScan(scan, match, number, fit.pose, labels, rejected), network
 
 
 def _fitted(

@@ -3,22 +3,22 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Optional
 
 import numpy as np
 
 from ..errors import InputError
 from ..progress import Progress
-from .adjustment.block_adjustment import adjust_block
 from .adjustment.control_network import ControlNetwork
 from .adjustment.evaluation import Evaluation, Frames, refused_scan
 from .lists.point_list import PointList
 from .matching.control_points import ControlPoints
 from .matching.matching_task import coincident
 from .results import GlobalTest, Registration
-from .sequential_registration import register_in_sequence
+from .sequential_registration import in_frame_of_first, register_in_sequence
 from .settings import Settings
+from .surfaces.adjustment import adjust_with_surfaces
 from .surfaces.patches import Surfaces
-from .surfaces.refinement import Refined, refine
 
 
 def register_scans(
@@ -37,7 +37,9 @@ def register_scans(
     Parameters
     ----------
     control : PointList
+        Without any, the frame of the first scan is that of all, and surfaces place the others.
     scans : sequence of PointList
+        Lists may be empty if surfaces place the scans.
     settings : Settings
     progress : Progress
     surfaces : mapping of str to Surfaces
@@ -50,15 +52,19 @@ def register_scans(
     CancelledError
         If the caller asked to stop.
     """
-    _check(control, scans, settings)
+    _check(control, scans, settings, surfaces)
     settings, of_survey = _with_survey(scans, settings)
-    near = {scan.name: reduced(scan) for scan in scans}
-    own, origin = reduced(control)
+    near = {scan.name: _near(scan, surfaces.get(scan.name)) for scan in scans}
+    moved = {name: item.shifted(-near[name][1]) for name, item in surfaces.items() if name in near}
+    own, origin = reduced(control) if control.names else (control, near[scans[0].name][1])
     frames = Frames(origin, {name: start for name, (_, start) in near.items()})
     network = ControlNetwork.of_list(own, settings.control_sigma)
     lists = {name: scan for name, (scan, _) in near.items()}
     ready = 0.5 if surfaces else 0.9
-    sequence = register_in_sequence(lists, network, settings, progress.part(0.0, ready))
+    if control.names:
+        sequence = register_in_sequence(lists, network, settings, progress.part(0.0, ready))
+    else:
+        sequence = in_frame_of_first(lists, network)
     registration = Registration(
         settings=settings,
         tolerance=settings.distance_tolerance,
@@ -76,11 +82,10 @@ def register_scans(
     if not sequence.placed:
         return replace(registration, scans=tuple(refused_scan(scan, sequence) for scan in scans))
     progress.update(ready, "Adjusting all scans in one block")
-    refined = Refined(adjust_block(sequence, settings))
-    if surfaces:
-        moved = {name: item.shifted(-near[name][1]) for name, item in surfaces.items() if name in near}
-        refined = refine(sequence, refined.adjusted, moved, settings, progress.part(ready, 1.0))
-    evaluation = Evaluation(sequence, refined.adjusted, settings, frames)
+    refined = adjust_with_surfaces(sequence, lists, moved, settings, progress.part(ready, 1.0))
+    if not refined.sequence.placed:
+        return replace(registration, scans=tuple(refused_scan(scan, refined.sequence) for scan in scans))
+    evaluation = Evaluation(refined.sequence, refined.adjusted, settings, frames)
     progress.update(1.0)
     return replace(
         registration,
@@ -94,13 +99,12 @@ def register_scans(
     )
 
 
-def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -> None:
+def _check(
+    control: PointList, scans: Sequence[PointList], settings: Settings, surfaces: Mapping[str, Surfaces]
+) -> None:
     least = settings.model.least_targets
-    if len(control.names) < least:
-        raise InputError(
-            f"{control.name} has {len(control.names)} control points, but at least {least} are needed; add "
-            "some."
-        )
+    if not surfaces or any(len(scan.names) for scan in scans):
+        _check_control(control, least)
     names = [scan.name for scan in scans]
     repeated = next((name for name in names if names.count(name) > 1), None)
     if repeated is not None:
@@ -109,6 +113,14 @@ def _check(control: PointList, scans: Sequence[PointList], settings: Settings) -
         )
     if not scans:
         raise InputError("No list of targets was given; choose at least one.")
+
+
+def _check_control(control: PointList, least: int) -> None:
+    if len(control.names) < least:
+        raise InputError(
+            f"{control.name} has {len(control.names)} control points, but at least {least} are needed; add "
+            "some."
+        )
 
 
 def _with_survey(scans: Sequence[PointList], settings: Settings) -> tuple[Settings, list[str]]:
@@ -125,6 +137,13 @@ def _with_survey(scans: Sequence[PointList], settings: Settings) -> tuple[Settin
         f"SIGMA, {1000 * settings.sigma:g} mm; set CONTROL_SIGMA to the standard deviation of the survey."
     )
     return replace(settings, control_sigma=settings.sigma), [sentence]
+
+
+def _near(scan: PointList, surfaces: Optional[Surfaces]) -> tuple[PointList, np.ndarray]:
+    """Return the targets of a scan near the origin, sorted, and what was subtracted from its coordinates."""
+    if len(scan.xyz) or surfaces is None or not len(surfaces):
+        return reduced(scan)
+    return scan, np.round(surfaces.centres.mean(axis=0))
 
 
 def reduced(points: PointList) -> tuple[PointList, np.ndarray]:

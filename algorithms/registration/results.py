@@ -163,6 +163,40 @@ class SharedSurfaces:
 
 
 @dataclass(frozen=True)
+class Placement:
+    """How surfaces placed a scan that its targets did not: what speaks for its pose, and for the next best.
+
+    Attributes
+    ----------
+    scans : tuple of str
+        With which its surfaces agree.
+    agreeing, contradicting : int
+        Patches of about a metre that others saw too, and patches through which others saw.
+    targets : int
+        Of the scan, on known points.
+    next_agreeing, next_contradicting : int or None
+        At the next best pose; None if there is no other pose at which surfaces agree.
+    next_share : float or None
+        The evidence for it, as a part of that for the pose.
+    next_shift, next_turn_deg : float or None
+        How far away the scanner would stand, metres, and turned by how much.
+    station : ndarray, shape (3,), or None
+        Of the scanner; of an adjusted scan in the control frame.
+    """
+
+    scans: tuple[str, ...]
+    agreeing: int
+    contradicting: int
+    targets: int
+    next_agreeing: Optional[int] = None
+    next_contradicting: Optional[int] = None
+    next_share: Optional[float] = None
+    next_shift: Optional[float] = None
+    next_turn_deg: Optional[float] = None
+    station: Optional[np.ndarray] = None
+
+
+@dataclass(frozen=True)
 class ScanRegistration:
     """One scan; unless `status` is `REGISTERED`, all that belongs to a transformation is None or empty.
 
@@ -171,7 +205,7 @@ class ScanRegistration:
     name : str
     status : str
         `REGISTERED`, or the reason why not in a word: ambiguous, mirrored, units, tilted, scale, collinear,
-        coincident, too few, too many, chance, no overlap, misfit.
+        coincident, too few, too many, chance, no overlap, misfit, sliding.
     reason : str
         A sentence with the remedy; empty if registered.
     matrix : ndarray, shape (4, 4), or None
@@ -192,14 +226,17 @@ class ScanRegistration:
     chance : float or None
         Expected number of accidental matches of as many targets; None if matched by names.
     round : int or None
-        1 if surveyed points sufficed, 2 if it needed points appended in round 1, and so on.
+        1 if surveyed points sufficed, 2 if it needed points appended in round 1, and so on; None if targets
+        did not place the scan.
     rivals : tuple of dict of str to str
         Equally good solutions, target to control point (if ambiguous).
     warnings : tuple of str
     targets : int
         The number of targets in the list.
     surfaces : SurfaceChange or None
-        None if surfaces do not tie the scan to others.
+        None if surfaces do not tie the scan to others, or if they placed it.
+    placement : Placement or None
+        None if targets placed the scan, or if its frame is that of the registration.
     """
 
     name: str
@@ -220,11 +257,17 @@ class ScanRegistration:
     rivals: tuple[dict[str, str], ...] = ()
     warnings: tuple[str, ...] = ()
     surfaces: Optional[SurfaceChange] = None
+    placement: Optional[Placement] = None
 
     @property
     def registered(self) -> bool:
         """Whether the scan has a transformation."""
         return self.status == REGISTERED
+
+    @property
+    def is_frame(self) -> bool:
+        """Whether the frame of the scan is that of all, because there are no control points."""
+        return self.registered and self.round is None and self.placement is None
 
 
 @dataclass(frozen=True)

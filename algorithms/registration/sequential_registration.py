@@ -2,8 +2,11 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..progress import Progress
 from .adjustment.control_network import ControlNetwork
+from .adjustment.similarity import Pose
 from .densification import PlacedScan, placed_scan
 from .lists.point_list import PointList
 from .matching.refusals import Refusal
@@ -76,6 +79,23 @@ def register_in_sequence(
         if isinstance(result, Refusal):
             refused[name] = result
     return SequentialRegistration(network, tuple(placed), refused)
+
+
+def in_frame_of_first(scans: dict[str, PointList], network: ControlNetwork) -> SequentialRegistration:
+    """Return the first scan placed where it is, and the others refused, because they have no targets.
+
+    Parameters
+    ----------
+    scans : dict of str to PointList
+        Empty lists, in the order in which they were given.
+    network : ControlNetwork
+        Without points.
+    """
+    first, *others = scans
+    pose = Pose(np.eye(3), np.array(1.0), np.zeros(3), np.zeros(3))
+    placed = PlacedScan(scans[first], None, None, pose, np.zeros(0, int), {})
+    refused = {name: Refusal("too few", f"{name} has no targets.") for name in others}
+    return SequentialRegistration(network, (placed,), refused)
 
 
 def _surest(matches: dict[str, ScanMatch], certain: float) -> list[str]:

@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...algorithms.errors import NothingFoundError
+from ...algorithms.errors import InputError, NothingFoundError
 from ..algorithm import Algorithm, Outcome
 from ..dependencies import FOR_LAYERS
 from ..found_targets import lists_of
 from ..log import Log
 from ..parameters.destinations import HtmlDestination, JsonDestination, PointDestination
 from ..parameters.registration import (
-    CONTROL,
+    CONTROL_IF_ANY,
     CONTROL_SIGMA,
     CRS,
     MATCHING,
@@ -26,10 +26,13 @@ from ..parameters.registration import (
     control_of,
     settings_of,
 )
-from ..scan_surfaces import surfaces_of_scans
+from ..scan_surfaces import surfaces_of_scans, with_clouds_alone
 
 if TYPE_CHECKING:
     from ...algorithms.registration.results import Registration, ScanRegistration, SharedSurfaces
+
+
+NO_SYSTEM = "The control points have no coordinate reference system, so the results have none; set CRS."
 
 
 class RegisterScansAlgorithm(Algorithm):
@@ -59,7 +62,10 @@ class RegisterScansAlgorithm(Algorithm):
         "tls",
     )
     needs = FOR_LAYERS
-    inputs = (CONTROL, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS, MAX_STD, REFINE, SCANS)
+    inputs = (
+        *(CONTROL_IF_ANY, TARGETS, MATCHING, SIGMA, CONTROL_SIGMA, TOLERANCE, MODEL, CRS, MAX_STD),
+        *(REFINE, SCANS),
+    )
     destinations = (
         JsonDestination(
             "TRANSFORMS",
@@ -102,20 +108,24 @@ class RegisterScansAlgorithm(Algorithm):
         from ...algorithms.registration.output.transforms import write_transforms
         from ...algorithms.registration.registration import register_scans
 
-        control = control_of(values)
-        if control.crs is None:
-            log.warn(
-                ["The control points have no coordinate reference system, so the results have none; set CRS."]
-            )
-        middle = np.median(control.xyz, axis=0)
-        log.warn(position_warning(control.crs, middle, str(control.path or control.name)))
-        settings, given = settings_of(values), values["TARGETS"]
-        searched = 0.8 if given.clouds else 0.0
+        control, settings, given = control_of(values), settings_of(values), values["TARGETS"]
+        surveyed = bool(control.names)
+        if surveyed:
+            if control.crs is None:
+                log.warn([NO_SYSTEM])
+            middle = np.median(control.xyz, axis=0)
+            log.warn(position_warning(control.crs, middle, str(control.path or control.name)))
+        searched = 0.8 if given.clouds and surveyed else 0.0
         read = searched + (1 - searched) / 2 if values["REFINE"] else searched
-        scans = lists_of(given, settings.named, log, log.progress.part(0.0, searched))
+        clouds = [*given.scans, *values["SCANS"]] if values["REFINE"] else []
+        if not (given.lists or given.clouds or clouds):
+            raise InputError("TARGETS is empty; choose at least one list of points, or scan.")
+        scans = []
+        if surveyed:
+            scans = lists_of(given, settings.named, log, log.progress.part(0.0, searched))
         surfaces = {}
         if values["REFINE"]:
-            clouds, progress = [*given.scans, *values["SCANS"]], log.progress.part(searched, read)
+            scans, progress = with_clouds_alone(scans, clouds), log.progress.part(searched, read)
             surfaces = surfaces_of_scans(clouds, scans, settings, log, progress)
         registration = register_scans(control, scans, settings, log.progress.part(read, 1.0), surfaces)
         _log(registration, log)
@@ -143,13 +153,17 @@ class RegisterScansAlgorithm(Algorithm):
 
 
 def _log(registration: "Registration", log: Log) -> None:
-    from ...algorithms.registration.output.report_scan import change_by_surfaces
+    from ...algorithms.registration.output.report_scan import IS_FRAME, by_surfaces, change_by_surfaces
 
     log.warn(registration.warnings)
     log.info(f"Tolerance of distances: {1000 * registration.tolerance:.1f} mm.")
     for scan in registration.scans:
         if scan.test is None:
             log.warn([f"{scan.name} is not registered ({scan.status}): {scan.reason}"])
+        elif scan.is_frame:
+            log.info(f"{scan.name}: {IS_FRAME}")
+        elif scan.placement is not None:
+            log.info(f"{scan.name}: {by_surfaces(scan.placement)}")
         else:
             log.info(_line(scan, scan.test.sigma0))
         if scan.surfaces is not None:

@@ -35,7 +35,8 @@ class _FilesDefinition:
         return f"{translated(self.filters)};;{translated(ALL_FILES)}"
 
     def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
-        return bool(value)
+        optional = QgsProcessingParameterDefinition.Flag.FlagOptional
+        return bool(value) or bool(self.flags() & optional)  # type: ignore[attr-defined]
 
     def valueAsPythonString(self, value: Any, context: QgsProcessingContext) -> str:
         return _literal(value)
@@ -69,10 +70,6 @@ class FileListDefinition(_FilesDefinition, QgsProcessingParameterMultipleLayers)
         super().__init__(name, description, kind)
         self.filters = filters
         self.setMetadata({"widget_wrapper": {"class": f"{WIDGETS}.FileListWrapper"}})
-
-    def checkValueIsAcceptable(self, value: Any, context: Optional[QgsProcessingContext] = None) -> bool:
-        optional = QgsProcessingParameterDefinition.Flag.FlagOptional
-        return bool(value) or bool(self.flags() & optional)
 
     def clone(self) -> QgsProcessingParameterDefinition:
         return _copy_of(self, FileListDefinition(self.name(), "", self.layerType(), self.filters))

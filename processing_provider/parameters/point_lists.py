@@ -5,7 +5,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, TypeVar, Union
 
 from qgis.core import (
     NULL,
@@ -14,6 +14,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterDefinition,
     QgsProcessingUtils,
     QgsProperty,
     QgsProviderRegistry,
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 Item = Union[QgsMapLayer, str]
 """A layer, or a path to a file."""
 
+Definition = TypeVar("Definition", PointListDefinition, FileListDefinition)
+
 Coordinates = tuple[float, ...]
 """Two or three coordinates."""
 
@@ -49,24 +52,29 @@ class PointListFile(Parameter):
     """One list of points.
 
     Its definition asks for a vector layer, because then the dialog offers the layers of the project and a
-    file chooser, which accepts text files too.
+    file chooser, which accepts text files too. Without a list, it is None if it is optional.
     """
 
+    optional: bool = False
+
     def _definition(self) -> PointListDefinition:
-        return PointListDefinition(self.name, self.description, LIST_FILTER)
+        definition = PointListDefinition(self.name, self.description, LIST_FILTER)
+        return optional(definition) if self.optional else definition
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> "PointList":
+    ) -> "Optional[PointList]":
         items = _items(parameters.get(self.name), context)
+        if not items and self.optional:
+            return None
         if not items:
             raise InputError(f"{self.name} is empty; choose a text file or a layer of points.")
         if len(items) > 1:
             raise InputError(f"{self.name} takes one list of points, not {len(items)}; choose one.")
         return _read(items[0])
 
-    def sources(self, value: "PointList") -> list[str]:
-        return [str(value.path)] if value.path else []
+    def sources(self, value: "Optional[PointList]") -> list[str]:
+        return [str(value.path)] if value and value.path else []
 
 
 @dataclass(frozen=True)
@@ -89,10 +97,10 @@ class TargetFiles:
 
 @dataclass(frozen=True)
 class TargetListFiles(Parameter):
-    """One list of targets for each scan, or the scan itself, each with a name of its own."""
+    """One list of targets for each scan, or the scan itself, each with a name of its own; maybe none."""
 
     def _definition(self) -> FileListDefinition:
-        return FileListDefinition(self.name, self.description, POINTS, TARGET_FILTER)
+        return optional(FileListDefinition(self.name, self.description, POINTS, TARGET_FILTER))
 
     def value(
         self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
@@ -106,8 +114,6 @@ class TargetListFiles(Parameter):
             items += found if found == [item] else [*lists_beside(found), *found]
         clouds = [item for item in items if isinstance(item, str) and is_cloud(item)]
         lists = [_read(item) for item in items if item not in clouds]
-        if not items:
-            raise InputError(f"{self.name} is empty; choose at least one list of points, or scan.")
         names = [points.name for points in lists]
         twice = next((name for name in names if names.count(name) > 1), None)
         if twice is not None:
@@ -116,6 +122,12 @@ class TargetListFiles(Parameter):
 
     def sources(self, value: TargetFiles) -> list[str]:
         return [*(str(points.path) for points in value.lists if points.path), *value.clouds]
+
+
+def optional(definition: Definition) -> Definition:
+    """Return a definition that may be left empty."""
+    definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagOptional)
+    return definition
 
 
 def _items(given: Any, context: QgsProcessingContext) -> list[Item]:

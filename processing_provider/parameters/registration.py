@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from ...algorithms.errors import InputError
 from .files import CloudFiles
 from .parameter import Choice, Flag, Number, ReferenceSystem
 from .point_lists import PointListFile, TargetListFiles
@@ -15,6 +16,14 @@ CONTROL = PointListFile(
     "CONTROL",
     "Control points",
     "Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.",
+)
+
+CONTROL_IF_ANY = PointListFile(
+    "CONTROL",
+    "Control points",
+    "Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights. May "
+    "be empty if REFINE is set and no scan has targets: surfaces then place the scans beside the first one.",
+    optional=True,
 )
 
 TARGETS = TargetListFiles(
@@ -100,7 +109,8 @@ REFINE = Flag(
     "REFINE",
     "Tie scans by the surfaces that they share",
     "Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with "
-    "the targets and never against them. Needs the clouds: in TARGETS or in SCANS.",
+    "the targets and never against them. Scans with too few targets, or none, are placed by their surfaces "
+    "if these show one pose only. Needs the clouds: in TARGETS or in SCANS.",
     default=False,
     optional=True,
 )
@@ -108,8 +118,9 @@ REFINE = Flag(
 SCANS = CloudFiles(
     "SCANS",
     "Clouds of the scans, to tie them by surfaces",
-    "The clouds of scans whose targets are given as lists; each is named after its list. Not needed for "
-    "scans that are in TARGETS. Used only if scans are tied by surfaces.",
+    "The clouds of scans whose targets are given as lists; each is named after its list. A cloud without a "
+    "list is placed by its surfaces. Not needed for scans that are in TARGETS. Used only if scans are tied "
+    "by surfaces.",
     optional=True,
 )
 
@@ -135,12 +146,39 @@ def settings_of(values: dict[str, Any]) -> "Settings":
 
 
 def control_of(values: dict[str, Any]) -> "PointList":
-    """Return the control points, with their own reference system, or else the one that the user chose."""
+    """Return the control points, with their own reference system, or else the one that the user chose.
+
+    Raises
+    ------
+    InputError
+        If there are none, although targets need them, or the reference system cannot be used.
+    """
     from ...algorithms.reference_systems import chosen_system, require_metres
 
     control, chosen = values["CONTROL"], values["CRS"]
+    if control is None:
+        return _no_control(values)
     if control.crs is not None or chosen is None:
         return control
     crs = chosen_system(chosen.toWkt(), "CRS")
     require_metres(crs, "CRS")
     return replace(control, crs=crs)
+
+
+def _no_control(values: dict[str, Any]) -> "PointList":
+    """Return an empty list of control points, if surfaces alone can place all scans."""
+    import numpy as np
+
+    from ...algorithms.registration.lists.point_list import PointList
+
+    if not values["REFINE"]:
+        raise InputError(
+            "CONTROL is empty; choose a text file or a layer of points, or set REFINE to place clouds "
+            "without targets by their surfaces."
+        )
+    if values["TARGETS"].lists:
+        raise InputError(
+            "CONTROL is empty, but TARGETS has lists; choose the control points, or the list of one of the "
+            "scans in their place."
+        )
+    return PointList("CONTROL", (), np.zeros((0, 3)))

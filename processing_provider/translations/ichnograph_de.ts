@@ -2102,6 +2102,11 @@
         <translation>Die Zielmarken von %1 haben Standardabweichungen bis %2 mm, mehr als die Grenze von %3 mm; darin Passpunkte einmessen oder den Scan mit weiteren Scans verknüpfen.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/adjustment/least_squares.py"/>
+        <source>a scan is held by nothing</source>
+        <translation>ein Scan wird durch nichts gehalten</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/adjustment/scale_test.py"/>
         <source>One unit of the scan is %1 m.</source>
         <translation>Eine Einheit des Scans ist %1 m.</translation>
@@ -2413,6 +2418,9 @@
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/matching/scan_matching.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/adjustment.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>no overlap</source>
         <translation>keine Überlappung</translation>
     </message>
@@ -2425,6 +2433,7 @@
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
         <location filename="../../algorithms/registration/matching/mirror_images.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>mirrored</source>
         <translation>gespiegelt</translation>
     </message>
@@ -2433,6 +2442,7 @@
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/output/transforms.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>chance</source>
         <translation>Zufall</translation>
     </message>
@@ -2503,7 +2513,9 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
+        <location filename="../../algorithms/registration/sequential_registration.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>too few</source>
         <translation>zu wenige</translation>
     </message>
@@ -2520,6 +2532,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>coincident</source>
         <translation>identisch</translation>
     </message>
@@ -2541,6 +2554,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>collinear</source>
         <translation>auf einer Geraden</translation>
     </message>
@@ -2623,6 +2637,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>ambiguous</source>
         <translation>mehrdeutig</translation>
     </message>
@@ -2761,13 +2776,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
-        <translation>Flächenstücke von etwa einem Meter, die zwei Scans gemeinsam haben; Überlappung: der Teil der Flächen des Scans mit weniger Flächen, den auch der andere hat; Abstand: wie weit die Stücke beider nach der Ausgleichung auseinanderliegen, als quadratisches Mittel; gleitet: ob sie eine Richtung frei lassen, die nur Zielmarken halten.</translation>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which only targets or other scans hold.</source>
+        <translation>Flächenstücke von etwa einem Meter, die zwei Scans gemeinsam haben; Überlappung: der Teil der Flächen des Scans mit weniger Flächen, den auch der andere hat; Abstand: wie weit die Stücke beider nach der Ausgleichung auseinanderliegen, als quadratisches Mittel; gleitet: ob sie eine Richtung frei lassen, die nur Zielmarken oder andere Scans halten.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
         <source>What the targets say about the scale, in parts per million from 1, whether or not it was estimated.</source>
         <translation>Was die Zielmarken über den Maßstab sagen, in Millionsteln Abweichung von 1, unabhängig davon, ob er geschätzt wurde.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <source>%1 of %2 scans are registered, by their surfaces alone.</source>
+        <translation>%1 von %2 Scans sind registriert, allein durch ihre Flächen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2875,6 +2895,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Its frame is that of all scans, because there are no control points.</source>
+        <translation>Sein System ist das aller Scans, weil es keine Passpunkte gibt.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>nothing is redundant, so nothing is checked.</source>
         <translation>Nichts ist redundant, daher wird nichts geprüft.</translation>
     </message>
@@ -2910,6 +2935,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Standard deviation of the scanner: %1 mm.</source>
+        <translation>Standardabweichung des Scanners: %1 mm.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Largest standard deviation at a target: %1 mm.</source>
         <translation>Größte Standardabweichung an einer Zielmarke: %1 mm.</translation>
     </message>
@@ -2917,6 +2947,26 @@
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Appended to the control points: %1.</source>
         <translation>Als Neupunkte zu den Passpunkten hinzugefügt: %1.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Placed by surfaces: %1 patches agree with %2, and %3 contradict them.</source>
+        <translation>Durch Flächen gesetzt: %1 Flächenstücke stimmen mit %2 überein, und %3 widersprechen ihnen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>%1 of its targets lie on known points.</source>
+        <translation>%1 seiner Zielmarken liegen auf bekannten Punkten.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>No other pose was found.</source>
+        <translation>Eine andere Lage wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>At the next best pose, the scanner %1 m away and turned by %2 degrees, %3 agree and %4 contradict.</source>
+        <translation>In der nächstbesten Lage, mit dem Scanner %1 m entfernt und um %2 Grad gedreht, stimmen %3 überein und widersprechen %4.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -3267,11 +3317,6 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
-        <source>%1 has %2 control points, but at least %3 are needed; add some.</source>
-        <translation>%1 hat %2 Passpunkte, aber mindestens %3 sind nötig; weitere hinzufügen.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/registration/registration.py"/>
         <source>Two lists of targets are called %1; rename one, because their names identify the scans.</source>
         <translation>Zwei Listen von Zielmarken heißen %1; eine umbenennen, denn ihre Namen bezeichnen die Scans.</translation>
     </message>
@@ -3279,6 +3324,11 @@
         <location filename="../../algorithms/registration/registration.py"/>
         <source>No list of targets was given; choose at least one.</source>
         <translation>Es wurde keine Liste von Zielmarken angegeben; mindestens eine wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/registration.py"/>
+        <source>%1 has %2 control points, but at least %3 are needed; add some.</source>
+        <translation>%1 hat %2 Passpunkte, aber mindestens %3 sind nötig; weitere hinzufügen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
@@ -3309,6 +3359,11 @@
         <location filename="../../algorithms/registration/sequential_registration.py"/>
         <source>Searching why %1 does not match</source>
         <translation>Es wird gesucht, warum %1 nicht passt</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/sequential_registration.py"/>
+        <source>%1 has no targets.</source>
+        <translation>%1 hat keine Zielmarken.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/simulation.py"/>
@@ -3604,9 +3659,54 @@
         <translation>Herbig, Mayer, Mortada und Rasztovits 2013, Kapitel 5: Ergebnisse und Simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/surfaces/adjustment.py"/>
+        <source>No other scan could be placed beside %1, whose frame would be that of all; see why not, or choose another scan as the first.</source>
+        <translation>Neben %1, dessen System das aller Scans wäre, konnte kein anderer Scan gesetzt werden; die Gründe dafür ansehen oder einen anderen Scan als ersten wählen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>%1 cannot be placed by surfaces, because its cloud does not show where the scanner stood; give it in the frame of the scanner, or as an E57 or PTX file with its pose, or pick targets.</source>
+        <translation>%1 kann nicht durch Flächen gesetzt werden, weil seine Punktwolke nicht zeigt, wo der Scanner stand; sie im System des Scanners angeben oder als E57- oder PTX-Datei mit ihrer Pose, oder Zielmarken abgreifen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 fit better as in a mirror; correct its cloud if two columns are swapped or an axis points the other way, or else pick targets.</source>
+        <translation>Die Flächen von %1 passen gespiegelt besser; seine Punktwolke berichtigen, wenn zwei Spalten vertauscht sind oder eine Achse in die andere Richtung zeigt, sonst Zielmarken abgreifen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 do not place it: at best, %2 patches agree with other scans and %3 contradict them; at least %4 must agree, and hardly any contradict; scan with more overlap, or pick targets.</source>
+        <translation>Die Flächen von %1 legen seine Lage nicht fest: bestenfalls stimmen %2 Flächenstücke mit anderen Scans überein und widersprechen %3; mindestens %4 müssen übereinstimmen und kaum welche widersprechen; mit mehr Überlappung scannen oder Zielmarken abgreifen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>sliding</source>
+        <translation>gleitend</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>%1 slides along the surfaces that it shares with other scans, %2; scan it from where a wall across is seen too, or pick a target.</source>
+        <translation>%1 gleitet entlang der Flächen, die er mit anderen Scans gemeinsam hat, %2; von einem Standpunkt scannen, von dem auch eine Querwand zu sehen ist, oder eine Zielmarke abgreifen.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 agree with other scans at two poses about as well: %2 patches agree and %3 do not, or %4 and %5 with the scanner %6 m away and turned by %7 degrees; pick a target, or choose a levelled model if the scanner was levelled.</source>
+        <translation>Die Flächen von %1 stimmen in zwei Lagen etwa gleich gut mit anderen Scans überein: %2 Flächenstücke stimmen überein und %3 nicht, oder %4 und %5 mit dem Scanner %6 m entfernt und um %7 Grad gedreht; eine Zielmarke abgreifen, oder ein horizontiertes Modell wählen, wenn der Scanner horizontiert war.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 is held by nothing</source>
+        <translation>%1 wird durch nichts gehalten</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>Tying scans by their surfaces</source>
         <translation>Scans werden durch ihre Flächen verknüpft</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 shares too few plane surfaces with other scans to be tied to them; scan with more overlap, or pick targets.</source>
+        <translation>%1 hat zu wenige ebene Flächen mit anderen Scans gemeinsam, um mit ihnen verknüpft zu werden; mit mehr Überlappung scannen oder Zielmarken abgreifen.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -3625,21 +3725,21 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
-        <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie allein Zielmarken.</translation>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, only targets or other scans hold them.</source>
+        <translation>%1 und %2 gleiten entlang der Flächen, die sie gemeinsam haben, %3; in dieser Richtung halten sie nur Zielmarken oder andere Scans.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
-        <translation>%1 und %2 haben nur Flächen einer Richtung gemeinsam und gleiten in alle Richtungen an ihnen entlang; dort halten sie allein Zielmarken.</translation>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, only targets or other scans hold them.</source>
+        <translation>%1 und %2 haben nur Flächen einer Richtung gemeinsam und gleiten in alle Richtungen an ihnen entlang; dort halten sie nur Zielmarken oder andere Scans.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <location filename="../../algorithms/registration/surfaces/tie.py"/>
         <source>up and down</source>
         <translation>auf und ab</translation>
     </message>
     <message>
-        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <location filename="../../algorithms/registration/surfaces/tie.py"/>
         <source>at an azimuth of %1 degrees</source>
         <translation>in einem Azimut von %1 Grad</translation>
     </message>
@@ -5575,6 +5675,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>The control points have no coordinate reference system, so the results have none; set CRS.</source>
+        <translation>Die Passpunkte haben kein Koordinatenbezugssystem, daher haben die Ergebnisse keines; CRS setzen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <source>Register scans to control points</source>
         <translation>Scans auf Passpunkte registrieren</translation>
@@ -5643,8 +5748,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
-        <source>The control points have no coordinate reference system, so the results have none; set CRS.</source>
-        <translation>Die Passpunkte haben kein Koordinatenbezugssystem, daher haben die Ergebnisse keines; CRS setzen.</translation>
+        <source>TARGETS is empty; choose at least one list of points, or scan.</source>
+        <translation>TARGETS ist leer; mindestens eine Punktliste oder einen Scan wählen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -7199,11 +7304,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
-        <source>%1 is empty; choose at least one list of points, or scan.</source>
-        <translation>%1 ist leer; mindestens eine Punktliste oder einen Scan wählen.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/point_lists.py"/>
         <source>%1 has two lists called %2; remove or rename one of them.</source>
         <translation>%1 hat zwei Listen namens %2; eine davon entfernen oder umbenennen.</translation>
     </message>
@@ -7226,6 +7326,11 @@
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
         <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder Name x y z, oder ein Punktlayer mit Höhen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights. May be empty if REFINE is set and no scan has targets: surfaces then place the scans beside the first one.</source>
+        <translation>Eingemessene Punkte in Metern: eine Textdatei mit x y z oder name x y z, oder ein Punktlayer mit Höhen. Kann leer bleiben, wenn REFINE gesetzt ist und kein Scan Zielmarken hat: dann setzen Flächen die Scans neben den ersten.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7339,8 +7444,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Needs the clouds: in TARGETS or in SCANS.</source>
-        <translation>Wände, Böden und andere ebene Flächen, die zwei Scans sehen, verknüpfen die Scans miteinander, gemeinsam mit den Zielmarken und nie gegen sie. Braucht die Punktwolken: in TARGETS oder in SCANS.</translation>
+        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Scans with too few targets, or none, are placed by their surfaces if these show one pose only. Needs the clouds: in TARGETS or in SCANS.</source>
+        <translation>Wände, Böden und andere ebene Flächen, die zwei Scans sehen, verknüpfen die Scans, zusammen mit den Zielmarken und nie gegen sie. Scans mit zu wenigen oder ohne Zielmarken werden durch ihre Flächen gesetzt, wenn diese nur eine Lage zeigen. Braucht die Punktwolken: in TARGETS oder in SCANS.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7349,8 +7454,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>The clouds of scans whose targets are given as lists; each is named after its list. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
-        <translation>Die Punktwolken von Scans, deren Zielmarken als Listen angegeben sind; jede heißt wie ihre Liste. Nicht nötig für Scans, die in TARGETS stehen. Nur verwendet, wenn Scans durch Flächen verknüpft werden.</translation>
+        <source>The clouds of scans whose targets are given as lists; each is named after its list. A cloud without a list is placed by its surfaces. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
+        <translation>Die Punktwolken von Scans, deren Zielmarken als Listen angegeben sind; jede heißt wie ihre Liste. Eine Punktwolke ohne Liste wird durch ihre Flächen gesetzt. Nicht nötig für Scans, die in TARGETS stehen. Nur verwendet, wenn Scans durch Flächen verknüpft werden.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7361,6 +7466,16 @@
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Projected, in metres. Used only for control points without a reference system.</source>
         <translation>Projiziert, in Metern. Nur für Passpunkte ohne Bezugssystem verwendet.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>CONTROL is empty; choose a text file or a layer of points, or set REFINE to place clouds without targets by their surfaces.</source>
+        <translation>CONTROL ist leer; eine Textdatei oder einen Punktlayer wählen, oder REFINE setzen, um Punktwolken ohne Zielmarken durch ihre Flächen zu setzen.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>CONTROL is empty, but TARGETS has lists; choose the control points, or the list of one of the scans in their place.</source>
+        <translation>CONTROL ist leer, aber TARGETS hat Listen; die Passpunkte wählen oder an ihrer Stelle die Liste eines der Scans.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/rooms.py"/>

@@ -2102,6 +2102,11 @@
         <translation>Les cibles de %1 ont des écarts-types allant jusqu&#x27;à %2 mm, plus que la limite de %3 mm ; levez-y des points d&#x27;appui, ou reliez-le à d&#x27;autres scans.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/adjustment/least_squares.py"/>
+        <source>a scan is held by nothing</source>
+        <translation>un scan n&#x27;est tenu par rien</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/adjustment/scale_test.py"/>
         <source>One unit of the scan is %1 m.</source>
         <translation>Une unité du scan vaut %1 m.</translation>
@@ -2413,6 +2418,9 @@
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/matching/scan_matching.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/adjustment.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>no overlap</source>
         <translation>sans recouvrement</translation>
     </message>
@@ -2425,6 +2433,7 @@
         <location filename="../../algorithms/registration/matching/diagnosis.py"/>
         <location filename="../../algorithms/registration/matching/mirror_images.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>mirrored</source>
         <translation>inversé</translation>
     </message>
@@ -2433,6 +2442,7 @@
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/output/transforms.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>chance</source>
         <translation>hasard</translation>
     </message>
@@ -2503,7 +2513,9 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
+        <location filename="../../algorithms/registration/sequential_registration.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>too few</source>
         <translation>trop peu</translation>
     </message>
@@ -2520,6 +2532,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>coincident</source>
         <translation>confondus</translation>
     </message>
@@ -2541,6 +2554,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>collinear</source>
         <translation>alignés</translation>
     </message>
@@ -2623,6 +2637,7 @@
     <message>
         <location filename="../../algorithms/registration/matching/refusals.py"/>
         <location filename="../../algorithms/registration/simulation/simulation_report.py"/>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
         <source>ambiguous</source>
         <translation>ambigu</translation>
     </message>
@@ -2761,13 +2776,18 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
-        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which targets alone hold.</source>
-        <translation>Morceaux de surface d&#x27;environ un mètre que deux scans ont en commun ; recouvrement : la part des surfaces du scan qui en a le moins que l&#x27;autre a aussi ; distance : l&#x27;écart des morceaux des deux après la compensation, en moyenne quadratique ; glisse : s&#x27;ils laissent libre une direction que seules les cibles tiennent.</translation>
+        <source>Patches of about a metre that two scans share; overlap: the part of the surface of the scan with less that the other has too; distance: how far the patches of both lie apart after the adjustment, root mean square; slides: whether they leave a direction free, which only targets or other scans hold.</source>
+        <translation>Morceaux de surface d&#x27;environ un mètre que deux scans ont en commun ; recouvrement : la part des surfaces du scan qui en a le moins que l&#x27;autre a aussi ; distance : l&#x27;écart des morceaux des deux après la compensation, en moyenne quadratique ; glisse : s&#x27;ils laissent libre une direction que seuls des cibles ou d&#x27;autres scans tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
         <source>What the targets say about the scale, in parts per million from 1, whether or not it was estimated.</source>
         <translation>Ce que les cibles disent de l&#x27;échelle, en millionièmes d&#x27;écart à 1, qu&#x27;elle ait été estimée ou non.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report.py"/>
+        <source>%1 of %2 scans are registered, by their surfaces alone.</source>
+        <translation>%1 scans sur %2 sont recalés, par leurs surfaces seules.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report.py"/>
@@ -2875,6 +2895,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Its frame is that of all scans, because there are no control points.</source>
+        <translation>Son repère est celui de tous les scans, parce qu&#x27;il n&#x27;y a pas de points d&#x27;appui.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>nothing is redundant, so nothing is checked.</source>
         <translation>rien n&#x27;est redondant, donc rien n&#x27;est contrôlé.</translation>
     </message>
@@ -2910,6 +2935,11 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Standard deviation of the scanner: %1 mm.</source>
+        <translation>Écart-type du scanner : %1 mm.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Largest standard deviation at a target: %1 mm.</source>
         <translation>Plus grand écart-type à une cible : %1 mm.</translation>
     </message>
@@ -2917,6 +2947,26 @@
         <location filename="../../algorithms/registration/output/report_scan.py"/>
         <source>Appended to the control points: %1.</source>
         <translation>Ajoutés aux points d&#x27;appui comme points nouveaux : %1.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>Placed by surfaces: %1 patches agree with %2, and %3 contradict them.</source>
+        <translation>Placé par les surfaces : %1 morceaux concordent avec %2, et %3 les contredisent.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>%1 of its targets lie on known points.</source>
+        <translation>%1 de ses cibles se trouvent sur des points connus.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>No other pose was found.</source>
+        <translation>Aucune autre pose n&#x27;a été trouvée.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/output/report_scan.py"/>
+        <source>At the next best pose, the scanner %1 m away and turned by %2 degrees, %3 agree and %4 contradict.</source>
+        <translation>À la deuxième meilleure pose, avec le scanner à %1 m et tourné de %2 degrés, %3 concordent et %4 contredisent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/output/report_scan.py"/>
@@ -3267,11 +3317,6 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
-        <source>%1 has %2 control points, but at least %3 are needed; add some.</source>
-        <translation>%1 a %2 points d&#x27;appui, mais il en faut au moins %3 ; ajoutez-en.</translation>
-    </message>
-    <message>
-        <location filename="../../algorithms/registration/registration.py"/>
         <source>Two lists of targets are called %1; rename one, because their names identify the scans.</source>
         <translation>Deux listes de cibles s&#x27;appellent %1 ; renommez-en une, car leurs noms identifient les scans.</translation>
     </message>
@@ -3279,6 +3324,11 @@
         <location filename="../../algorithms/registration/registration.py"/>
         <source>No list of targets was given; choose at least one.</source>
         <translation>Aucune liste de cibles n&#x27;a été donnée ; choisissez-en au moins une.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/registration.py"/>
+        <source>%1 has %2 control points, but at least %3 are needed; add some.</source>
+        <translation>%1 a %2 points d&#x27;appui, mais il en faut au moins %3 ; ajoutez-en.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/registration.py"/>
@@ -3309,6 +3359,11 @@
         <location filename="../../algorithms/registration/sequential_registration.py"/>
         <source>Searching why %1 does not match</source>
         <translation>Recherche de la raison pour laquelle %1 ne concorde pas</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/sequential_registration.py"/>
+        <source>%1 has no targets.</source>
+        <translation>%1 n&#x27;a pas de cibles.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/simulation/simulation.py"/>
@@ -3604,9 +3659,54 @@
         <translation>Herbig, Mayer, Mortada et Rasztovits 2013, chapitre 5 : résultats et simulation.</translation>
     </message>
     <message>
+        <location filename="../../algorithms/registration/surfaces/adjustment.py"/>
+        <source>No other scan could be placed beside %1, whose frame would be that of all; see why not, or choose another scan as the first.</source>
+        <translation>Aucun autre scan n&#x27;a pu être placé à côté de %1, dont le repère serait celui de tous ; voyez pourquoi, ou choisissez un autre scan comme premier.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>%1 cannot be placed by surfaces, because its cloud does not show where the scanner stood; give it in the frame of the scanner, or as an E57 or PTX file with its pose, or pick targets.</source>
+        <translation>%1 ne peut pas être placé par les surfaces, parce que son nuage ne montre pas où se trouvait le scanner ; donnez-le dans le repère du scanner, ou comme fichier E57 ou PTX avec sa pose, ou pointez des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 fit better as in a mirror; correct its cloud if two columns are swapped or an axis points the other way, or else pick targets.</source>
+        <translation>Les surfaces de %1 conviennent mieux comme dans un miroir ; corrigez son nuage si deux colonnes sont permutées ou si un axe pointe dans l&#x27;autre sens, sinon pointez des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 do not place it: at best, %2 patches agree with other scans and %3 contradict them; at least %4 must agree, and hardly any contradict; scan with more overlap, or pick targets.</source>
+        <translation>Les surfaces de %1 ne fixent pas sa pose : au mieux, %2 morceaux concordent avec d&#x27;autres scans et %3 les contredisent ; il faut qu&#x27;au moins %4 concordent et que presque aucun ne contredise ; scannez avec plus de recouvrement, ou pointez des cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>sliding</source>
+        <translation>glissant</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>%1 slides along the surfaces that it shares with other scans, %2; scan it from where a wall across is seen too, or pick a target.</source>
+        <translation>%1 glisse le long des surfaces qu&#x27;il partage avec d&#x27;autres scans, %2 ; scannez-le d&#x27;où l&#x27;on voit aussi un mur en travers, ou pointez une cible.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/placement.py"/>
+        <source>The surfaces of %1 agree with other scans at two poses about as well: %2 patches agree and %3 do not, or %4 and %5 with the scanner %6 m away and turned by %7 degrees; pick a target, or choose a levelled model if the scanner was levelled.</source>
+        <translation>Les surfaces de %1 concordent avec d&#x27;autres scans à deux poses à peu près aussi bien : %2 morceaux concordent et %3 non, ou %4 et %5 avec le scanner à %6 m et tourné de %7 degrés ; pointez une cible, ou choisissez un modèle calé si le scanner était calé.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 is held by nothing</source>
+        <translation>%1 n&#x27;est tenu par rien</translation>
+    </message>
+    <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
         <source>Tying scans by their surfaces</source>
         <translation>Liaison des scans par leurs surfaces</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <source>%1 shares too few plane surfaces with other scans to be tied to them; scan with more overlap, or pick targets.</source>
+        <translation>%1 partage trop peu de surfaces planes avec d&#x27;autres scans pour leur être lié ; scannez avec plus de recouvrement, ou pointez des cibles.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
@@ -3625,21 +3725,21 @@
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, targets alone hold them.</source>
-        <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seules les cibles les tiennent.</translation>
+        <source>%1 and %2 slide along the surfaces that they share, %3; in that direction, only targets or other scans hold them.</source>
+        <translation>%1 et %2 glissent le long des surfaces qu&#x27;ils ont en commun, %3 ; dans cette direction, seuls des cibles ou d&#x27;autres scans les tiennent.</translation>
     </message>
     <message>
         <location filename="../../algorithms/registration/surfaces/refinement.py"/>
-        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, targets alone hold them.</source>
-        <translation>%1 et %2 n&#x27;ont en commun que des surfaces d&#x27;une seule orientation et glissent le long de celles-ci dans toutes les directions ; là, seules les cibles les tiennent.</translation>
+        <source>%1 and %2 share only surfaces that face one way, and slide in all directions along them; there, only targets or other scans hold them.</source>
+        <translation>%1 et %2 n&#x27;ont en commun que des surfaces d&#x27;une seule orientation et glissent le long de celles-ci dans toutes les directions ; là, seuls des cibles ou d&#x27;autres scans les tiennent.</translation>
     </message>
     <message>
-        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <location filename="../../algorithms/registration/surfaces/tie.py"/>
         <source>up and down</source>
         <translation>de haut en bas</translation>
     </message>
     <message>
-        <location filename="../../algorithms/registration/surfaces/refinement.py"/>
+        <location filename="../../algorithms/registration/surfaces/tie.py"/>
         <source>at an azimuth of %1 degrees</source>
         <translation>à un azimut de %1 degrés</translation>
     </message>
@@ -5575,6 +5675,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>The control points have no coordinate reference system, so the results have none; set CRS.</source>
+        <translation>Les points d&#x27;appui n&#x27;ont pas de système de coordonnées, les résultats n&#x27;en ont donc pas ; indiquez CRS.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <location filename="../../processing_provider/models/control_points_and_scans_to_site_plan.model3"/>
         <source>Register scans to control points</source>
         <translation>Recaler des scans sur des points d&#x27;appui</translation>
@@ -5643,8 +5748,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
-        <source>The control points have no coordinate reference system, so the results have none; set CRS.</source>
-        <translation>Les points d&#x27;appui n&#x27;ont pas de système de coordonnées, les résultats n&#x27;en ont donc pas ; indiquez CRS.</translation>
+        <source>TARGETS is empty; choose at least one list of points, or scan.</source>
+        <translation>TARGETS est vide ; choisissez au moins une liste de points, ou un scan.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
@@ -7199,11 +7304,6 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/point_lists.py"/>
-        <source>%1 is empty; choose at least one list of points, or scan.</source>
-        <translation>%1 est vide ; choisissez au moins une liste de points, ou un scan.</translation>
-    </message>
-    <message>
-        <location filename="../../processing_provider/parameters/point_lists.py"/>
         <source>%1 has two lists called %2; remove or rename one of them.</source>
         <translation>%1 a deux listes appelées %2 ; supprimez ou renommez l&#x27;une d&#x27;elles.</translation>
     </message>
@@ -7226,6 +7326,11 @@
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights.</source>
         <translation>Points levés en mètres : un fichier texte avec x y z ou nom x y z, ou une couche de points avec des altitudes.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>Surveyed points in metres: a text file with x y z or name x y z, or a layer of points with heights. May be empty if REFINE is set and no scan has targets: surfaces then place the scans beside the first one.</source>
+        <translation>Points levés en mètres : un fichier texte avec x y z ou nom x y z, ou une couche de points avec altitudes. Peut rester vide si REFINE est activé et qu&#x27;aucun scan n&#x27;a de cibles : les surfaces placent alors les scans à côté du premier.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7339,8 +7444,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Needs the clouds: in TARGETS or in SCANS.</source>
-        <translation>Murs, sols et autres surfaces planes que deux scans voient relient les scans entre eux, avec les cibles et jamais contre elles. Il faut les nuages : dans TARGETS ou dans SCANS.</translation>
+        <source>Walls, floors and other plane surfaces that two scans see tie the scans to each other, together with the targets and never against them. Scans with too few targets, or none, are placed by their surfaces if these show one pose only. Needs the clouds: in TARGETS or in SCANS.</source>
+        <translation>Les murs, les sols et d&#x27;autres surfaces planes que deux scans voient lient les scans entre eux, avec les cibles et jamais contre elles. Les scans qui ont trop peu de cibles, ou aucune, sont placés par leurs surfaces si celles-ci ne montrent qu&#x27;une pose. Nécessite les nuages : dans TARGETS ou dans SCANS.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7349,8 +7454,8 @@
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
-        <source>The clouds of scans whose targets are given as lists; each is named after its list. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
-        <translation>Les nuages des scans dont les cibles sont données en listes ; chacun porte le nom de sa liste. Inutile pour les scans donnés dans TARGETS. Utilisé seulement si les scans sont reliés par des surfaces.</translation>
+        <source>The clouds of scans whose targets are given as lists; each is named after its list. A cloud without a list is placed by its surfaces. Not needed for scans that are in TARGETS. Used only if scans are tied by surfaces.</source>
+        <translation>Les nuages des scans dont les cibles sont données en listes ; chacun porte le nom de sa liste. Un nuage sans liste est placé par ses surfaces. Inutile pour les scans qui sont dans TARGETS. Utilisé seulement si les scans sont liés par des surfaces.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/registration.py"/>
@@ -7361,6 +7466,16 @@
         <location filename="../../processing_provider/parameters/registration.py"/>
         <source>Projected, in metres. Used only for control points without a reference system.</source>
         <translation>Projeté, en mètres. Utilisé seulement pour les points d&#x27;appui sans système de référence.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>CONTROL is empty; choose a text file or a layer of points, or set REFINE to place clouds without targets by their surfaces.</source>
+        <translation>CONTROL est vide ; choisissez un fichier texte ou une couche de points, ou activez REFINE pour placer par leurs surfaces les nuages sans cibles.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/parameters/registration.py"/>
+        <source>CONTROL is empty, but TARGETS has lists; choose the control points, or the list of one of the scans in their place.</source>
+        <translation>CONTROL est vide, mais TARGETS contient des listes ; choisissez les points d&#x27;appui, ou à leur place la liste d&#x27;un des scans.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/parameters/rooms.py"/>

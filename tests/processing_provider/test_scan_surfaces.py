@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from ichnograph.tests.scenes.scanned_rooms import FURNISHED, stood
 from ichnograph.tests.scenes.surface_rooms import box, in_frame, seen, tilted
 
 
@@ -80,18 +81,54 @@ def test_surfaces_need_clouds(refuse, two_clouds, outputs):
     assert "needs the clouds of the scans; choose them in" in refuse(**two_clouds, REFINE=True, **outputs)
 
 
-def test_a_cloud_without_a_list_and_a_list_without_a_cloud_are_said(
-    run, two_clouds, clouds, outputs, feedback, tmp_path
-):
-    other = Path(shutil.copy(clouds[1], tmp_path / "other.xyz"))
+def test_a_list_without_a_cloud_is_said(run, two_clouds, clouds, outputs, feedback, tmp_path):
     alone = shutil.copy(two_clouds["TARGETS"][1], tmp_path / "alone.txt")
-    targets = [*two_clouds["TARGETS"], alone]
-    given = {**two_clouds, "TARGETS": targets, "SCANS": [*clouds, str(other)]}
+    given = {**two_clouds, "TARGETS": [*two_clouds["TARGETS"], alone], "SCANS": clouds}
     run("registerscans", feedback, **given, REFINE=True, **outputs)
 
-    assert any(line.startswith("other.xyz is not used to tie scans") for line in feedback.warnings)
     assert any(line.startswith("alone is not tied by surfaces, because no") for line in feedback.warnings)
     assert not any(line.startswith("s1 is not tied") for line in feedback.warnings)
+
+
+class TestPlaced:
+    """Clouds without lists."""
+
+    @pytest.fixture(scope="class")
+    def furnished(self, tmp_path_factory):
+        folder = tmp_path_factory.mktemp("furnished")
+        paths = []
+        for number, station in enumerate([(2.0, 2.0, 1.6), (6.0, 3.2, 1.6)]):
+            paths.append(str(folder / f"s{number}.xyz"))
+            np.savetxt(paths[-1], stood(FURNISHED, station, number, step_deg=1.2), fmt="%.4f")
+        return paths
+
+    def test_without_control_points_the_first_scan_is_the_frame(self, run, furnished, outputs, feedback):
+        layers = {
+            name: str(Path(outputs["REPORT"]).with_name(f"{name}.gpkg"))
+            for name in ("RESIDUALS", "CONTROL_OUT")
+        }
+        result = run("registerscans", feedback, REFINE=True, SCANS=furnished, MODEL=2, **outputs, **layers)
+        first, second = json.loads(Path(outputs["TRANSFORMS"]).read_text(encoding="utf-8"))["scans"]
+        report = Path(outputs["REPORT"]).read_text(encoding="utf-8")
+
+        assert result["SCANS_REGISTERED"] == 2
+        assert first["matrix"] == np.eye(4).tolist()
+        assert first["placement"] is None
+        assert second["placement"]["scans"] == ["s0"]
+        assert second["placement"]["next_share"] < 0.8
+        assert any(line.startswith("s0: Its frame is that of all scans") for line in feedback.infos)
+        assert any(line.startswith("s1: Placed by surfaces: ") for line in feedback.infos)
+        assert "Placed by surfaces: " in report and "by their surfaces alone" in report
+        assert not [line for line in feedback.infos if " nan" in line and not line.startswith("Results")]
+
+    def test_control_points_are_needed_unless_surfaces_are_used(self, refuse, furnished, outputs):
+        assert "(CONTROL) is empty" in refuse(TARGETS=furnished, **outputs)
+        assert "(TARGETS) is empty" in refuse(REFINE=True, **outputs)
+
+    def test_lists_need_control_points(self, refuse, two_clouds, clouds, outputs):
+        said = refuse(TARGETS=two_clouds["TARGETS"], SCANS=clouds, REFINE=True, **outputs)
+
+        assert "(CONTROL) is empty, but Targets (TARGETS) has lists" in said
 
 
 def test_one_cloud_ties_nothing(refuse, two_clouds, clouds, outputs):

@@ -139,14 +139,14 @@ def room_chain(length, room, seed):
         faces += furniture(low + [1.5, 0.0, 0.0], high - [1.5, 0.0, 0.0], 4, seed * 100 + number)
         for along in random.uniform(low[0] + 1, high[0] - 2, 2):
             faces += box([along, 0.0, 0.0], [along + 0.5, 0.3, room[2]], omit=("-y", "-z", "+z"))
-        faces += _wall_with_door(low[0], lefts[number], room) + _wall_with_door(
+        faces += wall_with_door(low[0], lefts[number], room) + wall_with_door(
             high[0], lefts[number + 1], room
         )
         rooms.append(faces)
     return rooms, [np.array([(n + 1) * room[0], lefts[n + 1] + 0.6, 1.7]) for n in range(length)]
 
 
-def _wall_with_door(x, left, room):
+def wall_with_door(x, left, room):
     """Return the faces of a wall across the rooms, beside a door of 1.2 by 2.1 m and above it."""
     up = np.array([0.0, 0.0, room[2]])
     return [

@@ -97,10 +97,12 @@ def _adjusted(
     used = _used(sequence, rejected)
     sightings = []
     for scan, rows in zip(sequence.placed, used):
-        if not fixes_pose(scan.scan.xyz[rows], settings.model, line_width(scan.scan.xyz, settings)):
+        by_targets = scan.match is not None
+        width = line_width(scan.scan.xyz, settings)
+        if by_targets and not fixes_pose(scan.scan.xyz[rows], settings.model, width):
             raise np.linalg.LinAlgError(f"{scan.scan.name} has too few points left")
         own = scan.scan.covariances_of(rows)
-        sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose, own))
+        sightings.append(Sighting(scan.scan.xyz[rows], scan.labels[rows], scan.pose, own, scan.held))
     block = adjust(
         sightings,
         sequence.network.points,

@@ -81,7 +81,7 @@ class ControlNetwork:
     @property
     def surveyed(self) -> np.ndarray:
         """Which points are given, bool of shape (p,): surveyed, or appended by an earlier registration."""
-        return np.array([not origin for origin in self.origins])
+        return np.array([not origin for origin in self.origins], bool)
 
     def distance_variances(self) -> np.ndarray:
         """Return the variances of the distances between all points, shape (p, p)."""

@@ -1,7 +1,7 @@
 """The results of every scan and of every control point, from the adjusted block."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Optional
 
@@ -14,6 +14,7 @@ from ..results import (
     Correspondence,
     Estimate,
     GlobalTest,
+    Placement,
     ScaleTest,
     ScanRegistration,
 )
@@ -105,12 +106,12 @@ class Evaluation:
         correspondences = self._correspondences(scan, number)
         matched = {item.target for item in correspondences}
         test = self.adjusted.tests[number]
-        std = self._std(placed.scan.xyz, number)
+        std = self._std(number)
         own = placed.scan.covariances
         sighting = Sighting(
             placed.scan.xyz[used], placed.labels[used], pose, None if own is None else own[used]
         )
-        of_scale = scale_test(sighting, number, self.adjusted, settings)
+        of_scale = scale_test(sighting, number, self.adjusted, settings) if placed.match else None
         return ScanRegistration(
             name=scan.name,
             status=REGISTERED,
@@ -128,23 +129,37 @@ class Evaluation:
             unmatched=tuple(name for name in scan.names if name not in matched),
             test=test,
             scale_test=of_scale,
-            chance=placed.match.chance,
+            chance=placed.match.chance if placed.match else None,
             round=placed.round,
+            placement=self._placement(number),
             warnings=(
                 *scan.warnings,
-                *placed.match.warnings,
+                *(placed.match.warnings if placed.match else ()),
                 *_misjudged_sigma(scan, test, settings),
                 *_missing_scale(scan.name, of_scale, settings),
                 *_inaccurate(scan.name, std, settings),
             ),
         )
 
-    def _std(self, targets: np.ndarray, number: int) -> float:
+    def _placement(self, number: int) -> Optional[Placement]:
+        """Return how surfaces placed a scan, with the station after the adjustment."""
+        placement, pose = self.sequence.placed[number].placement, self.adjusted.block.poses[number]
+        if placement is None or placement.station is None:
+            return placement
+        return replace(placement, station=pose.apply(placement.station[None])[0] + self.frames.control)
+
+    def _std(self, number: int) -> float:
         """Return the largest standard deviation of a transformed target in any direction, metres.
 
-        A small sigma0 of few redundant observations does not make it smaller.
+        A small sigma0 of few redundant observations does not make it smaller. Of a scan that surfaces placed,
+        it is that of the scanner.
         """
-        block = self.adjusted.block
+        block, placed = self.adjusted.block, self.sequence.placed[number]
+        targets = placed.scan.xyz
+        if placed.placement is not None and placed.placement.station is not None:
+            targets = placed.placement.station[None]
+        if not len(targets):
+            return 0.0
         design = parameter_design(block.poses[number].rotated(targets), self.settings.model)
         covariances = design @ block.pose_cofactors[number] @ np.swapaxes(design, 1, 2)
         return max(self._spread, 1.0) * float(np.sqrt(np.linalg.eigvalsh(covariances)[:, -1].max()))
@@ -248,6 +263,6 @@ def _inaccurate(name: str, std: float, settings: Settings) -> list[str]:
     ]
 
 
-def _missing_scale(name: str, test: ScaleTest, settings: Settings) -> list[str]:
+def _missing_scale(name: str, test: Optional[ScaleTest], settings: Settings) -> list[str]:
     """Warn of a scale that the model lacks."""
-    return [f"{name}: {test.advice}"] if test.significant and not settings.model.scaled else []
+    return [f"{name}: {test.advice}"] if test and test.significant and not settings.model.scaled else []

@@ -40,12 +40,15 @@ class Sighting:
         Start value.
     covariances : ndarray, shape (k, 3, 3), or None
         Of the targets, in the scan; nan where unknown.
+    held : bool
+        Whether the pose is fixed, not unknown.
     """
 
     targets: np.ndarray
     points: np.ndarray
     pose: Pose
     covariances: Optional[np.ndarray] = None
+    held: bool = False
 
 
 @dataclass(frozen=True)
@@ -123,7 +126,7 @@ def adjust(
     Parameters
     ----------
     sightings : sequence of Sighting
-        Each with enough well placed targets for the model.
+        Each with enough well placed targets for the model, or tied to others, or held.
     points : ndarray, shape (p, 3)
         Control points; start values of those that were not surveyed, which at least two scans see.
     surveyed : ndarray of bool, shape (p,)
@@ -161,6 +164,7 @@ class _System:
         self.sightings, self.given, self.model, self.ties = sightings, points, model, ties
         self.loose = np.flatnonzero(loose)
         self.observed = np.flatnonzero(surveyed & loose)
+        self.held = np.array([item.held for item in sightings], bool)
         self.pose_unknowns = model.unknowns * len(sightings)
         self.first = np.full(len(points), -1)
         self.first[self.loose] = self.pose_unknowns + 3 * np.arange(len(self.loose))
@@ -227,7 +231,8 @@ class _System:
         shape = (len(columns), self.unknowns)
         design = csr_matrix((values.ravel(), (rows, np.maximum(columns, 0).ravel())), shape)
         count = len(self.weights)
-        weighted = bsr_matrix((self.weights, np.arange(count), np.arange(count + 1))) @ design
+        blocks = (self.weights, np.arange(count), np.arange(count + 1))
+        weighted = bsr_matrix(blocks, shape=(3 * count, 3 * count)) @ design
         normal, right = (design.T @ weighted).toarray(), weighted.T @ -residuals
         width = self.model.unknowns
         for tie in self.ties:
@@ -236,10 +241,10 @@ class _System:
             rows = np.r_[np.arange(width) + one * width, np.arange(width) + other * width]
             normal[np.ix_(rows, rows)] += share.normal
             right[rows] += share.right
-        # Shifts and angles differ in size by the extent of a scan; so scaled, they do not.
-        sizes = np.sqrt(np.diag(normal))
-        factor = cho_factor(normal / np.outer(sizes, sizes))
-        cofactors = cho_solve(factor, np.eye(self.unknowns)) / np.outer(sizes, sizes)
+        # The others have no cofactors, and do not move.
+        free = np.flatnonzero(~np.r_[np.repeat(self.held, width), np.zeros(3 * len(self.loose), bool)])
+        cofactors = np.zeros_like(normal)
+        cofactors[np.ix_(free, free)] = _inverse(normal[np.ix_(free, free)])
         return cofactors @ right, cofactors
 
     def _block(self, poses: list[Pose], points: np.ndarray, tests: OutlierTestSettings) -> Block:
@@ -264,7 +269,7 @@ class _System:
 
     def _adjusted(self) -> np.ndarray:
         """Return the covariances of adjusted observations, the blocks of A N^-1 A', shape (n / 3, 3, 3)."""
-        shape = (len(self.weights), 3, -1)
+        shape = (len(self.weights), 3, self.values.shape[1])
         values = self.values.reshape(shape)
         columns = np.maximum(self.columns, 0).reshape(shape)
         among = self.cofactors[columns[:, :, None, :, None], columns[:, None, :, None, :]]
@@ -284,6 +289,17 @@ class _System:
             spread.append(np.full((len(self.given), *values.shape[1:]), np.nan))
             spread[-1][self.observed] = values
         return Residuals(*spread)
+
+
+def _inverse(normal: np.ndarray) -> np.ndarray:
+    # Shifts and angles differ in size by the extent of a scan; so scaled, they do not.
+    if not len(normal):
+        return normal
+    sizes = np.sqrt(np.diag(normal))
+    if not (sizes > 0).all():
+        raise np.linalg.LinAlgError("a scan is held by nothing")
+    outer = np.outer(sizes, sizes)
+    return np.asarray(cho_solve(cho_factor(normal / outer), np.eye(len(normal))) / outer)
 
 
 def _tested(

@@ -12,6 +12,11 @@ SEVERAL = (".e57", ".ptx")
 """Extensions of files that may hold several scans, which are numbered."""
 
 
+def scan_name(cloud: Path) -> str:
+    """Return the name of the scan that a cloud without a list is; `.copc.laz` is one extension."""
+    return Path(cloud.stem).stem if cloud.stem.lower().endswith(".copc") else cloud.stem
+
+
 def scan_of_cloud(names: Sequence[str], cloud: Path) -> Optional[int]:
     """Return the number of the scan that a cloud is named after, None if there is none, or more than one.
 

@@ -87,8 +87,8 @@ def _legend(tests: OutlierTestSettings) -> dict[str, str]:
         "round 1, and so on.",
         "Shared surfaces": "Patches of about a metre that two scans share; overlap: the part of the surface "
         "of the scan with less that the other has too; distance: how far the patches of both lie apart after "
-        "the adjustment, root mean square; slides: whether they leave a direction free, which targets alone "
-        "hold.",
+        "the adjustment, root mean square; slides: whether they leave a direction free, which only targets "
+        "or other scans hold.",
         "Scale": "What the targets say about the scale, in parts per million from 1, whether or not it was "
         "estimated.",
     }
@@ -96,6 +96,8 @@ def _legend(tests: OutlierTestSettings) -> dict[str, str]:
 
 def _result(registration: Registration) -> str:
     done, scans = len(registration.registered), len(registration.scans)
+    if not registration.points:
+        return f"{done} of {scans} scans are registered, by their surfaces alone."
     longest = 1000 * registration.max_residual
     tests = registration.settings.adjustment.tests
     return (
@@ -114,10 +116,10 @@ def _summary(scan: ScanRegistration) -> tuple[str, ...]:
         str(len(used)),
         str(len(scan.correspondences) - len(used)),
         str(len(scan.unmatched)),
-        str(scan.round),
+        MISSING if scan.round is None else str(scan.round),
         number(scan.test.sigma0, 2),
         number(scan.test.probability, 3),
-        number(1000 * max(item.length for item in used), 1),
+        number(1000 * max((item.length for item in used), default=float("nan")), 1),
         f"{scale.deviation:.0f} \N{PLUS-MINUS SIGN} {scale.std:.0f}" if scale else MISSING,
         MISSING if scan.chance is None else f"{scan.chance:.1g}",
     )

@@ -58,7 +58,7 @@ def scan_plan(scan: ScanRegistration, registration: Registration) -> tuple[str, 
     surveyed, appended = _split(used)
     hub, others = _hub(scan), _places(registration.points)
     times = exaggeration([scan])
-    residuals = np.array([item.residual[:2] for item in used])
+    residuals = np.array([item.residual[:2] for item in used]).reshape(-1, 2)
     with Map.around(np.vstack([hub, _places(scan.correspondences)]), tallest=460.0) as plan:
         plan.dots(others[plan.shows(others)], GREY, 3.0)
         plan.rays(hub, _places(scan.correspondences), PALE)
@@ -105,6 +105,10 @@ def _station(scan: ScanRegistration) -> Optional[np.ndarray]:
     """Return the origin of a scan; None if that is far away, as it is in a cloud that was moved before."""
     if scan.matrix is None:
         return None
+    if scan.placement is not None and scan.placement.station is not None:
+        return scan.placement.station[:2]
+    if not scan.correspondences:
+        return scan.matrix[:2, 3]
     middle, origin = _middle(scan), scan.matrix[:2, 3]
     spread = np.linalg.norm(_places(scan.correspondences) - middle, axis=1).max()
     return origin if np.linalg.norm(origin - middle) <= FARTHEST * spread else None

@@ -8,9 +8,11 @@ import numpy as np
 from ...reporting.numbers import number
 from ..adjustment.settings import OutlierTestSettings
 from ..adjustment.statistical_tests import critical_tau
-from ..results import GlobalTest, Registration, ScanRegistration, SurfaceChange
+from ..results import GlobalTest, Placement, Registration, ScanRegistration, SurfaceChange
 from .layers import semi_axes
 from .report_figures import residual_bars, scan_plan
+
+IS_FRAME = "Its frame is that of all scans, because there are no control points."
 
 TAU = "\N{GREEK SMALL LETTER TAU}"
 
@@ -30,8 +32,9 @@ def scan_content(scan: ScanRegistration, registration: Registration) -> dict[str
         raise ValueError(f"{scan.name} is not registered.")
     tests = registration.settings.adjustment.tests
     limit = critical_tau(scan.test.redundancy, tests)
-    plan, plan_caption = scan_plan(scan, registration)
-    components, lengths = residual_bars(scan)
+    matched = bool(scan.correspondences)
+    plan, plan_caption = scan_plan(scan, registration) if matched else ("", "")
+    components, lengths = residual_bars(scan) if matched else ("", "")
     return {
         "name": scan.name,
         "matched": _matched(scan),
@@ -71,18 +74,45 @@ def verdict(test: GlobalTest, tests: OutlierTestSettings = OutlierTestSettings()
 def _matched(scan: ScanRegistration) -> str:
     used = [item for item in scan.correspondences if item.used]
     surveyed = sum(item.surveyed for item in used)
-    sentences = [
-        f"Registered in round {scan.round} with {len(used)} of {scan.targets} targets, of which {surveyed} "
-        "are surveyed points."
-    ]
+    sentences = []
+    if scan.is_frame:
+        sentences.append(IS_FRAME)
+    if scan.placement is not None:
+        sentences.append(by_surfaces(scan.placement))
+    if scan.round is not None:
+        sentences.append(
+            f"Registered in round {scan.round} with {len(used)} of {scan.targets} targets, of which "
+            f"{surveyed} are surveyed points."
+        )
     if scan.chance is not None:
         sentences.append(f"Expected accidental matches of so many targets: {scan.chance:.1g}.")
-    if scan.std is not None:
+    if scan.placement is not None:
+        sentences.append(f"Standard deviation of the scanner: {number(1000 * (scan.std or 0.0), 1)} mm.")
+    elif scan.std is not None and not scan.is_frame:
         sentences.append(f"Largest standard deviation at a target: {number(1000 * scan.std, 1)} mm.")
     if scan.surfaces is not None:
         sentences.append(change_by_surfaces(scan.surfaces))
     if scan.unmatched:
         sentences.append(f"Appended to the control points: {', '.join(scan.unmatched)}.")
+    return " ".join(sentences)
+
+
+def by_surfaces(placement: Placement) -> str:
+    """Return how surfaces placed a scan, and how sure that is, as sentences."""
+    sentences = [
+        f"Placed by surfaces: {placement.agreeing} patches agree with {', '.join(placement.scans)}, and "
+        f"{placement.contradicting} contradict them."
+    ]
+    if placement.targets:
+        sentences.append(f"{placement.targets} of its targets lie on known points.")
+    if placement.next_agreeing is None:
+        sentences.append("No other pose was found.")
+    else:
+        sentences.append(
+            f"At the next best pose, the scanner {placement.next_shift:.1f} m away and turned by "
+            f"{placement.next_turn_deg:.0f} degrees, {placement.next_agreeing} agree and "
+            f"{placement.next_contradicting} contradict."
+        )
     return " ".join(sentences)
 
 

@@ -121,6 +121,7 @@ def _scan(scan: ScanRegistration) -> dict[str, Any]:
         "rivals": scan.rivals,
         "warnings": scan.warnings,
         "surfaces": scan.surfaces and vars(scan.surfaces),
+        "placement": scan.placement and vars(scan.placement),
     }
 
 

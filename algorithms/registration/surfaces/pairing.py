@@ -64,11 +64,11 @@ def paired(
     model : Model
         Of the transformation of both.
     """
-    forth = _nearest(one, other, gate, settings)
+    forth = nearest_partners(one, other, gate, settings)
     rows = np.flatnonzero(forth >= 0)
     if len(rows) < settings.fewest_patches:
         return None
-    back = _nearest(other, one, gate, settings)
+    back = nearest_partners(other, one, gate, settings)
     rows = rows[back[forth[rows]] == rows]
     partners = forth[rows]
     if len(rows) < settings.fewest_patches:
@@ -78,7 +78,7 @@ def paired(
     return kept if len(kept) >= settings.fewest_patches else None
 
 
-def _nearest(one: Placed, other: Placed, gate: float, settings: PairSettings) -> np.ndarray:
+def nearest_partners(one: Placed, other: Placed, gate: float, settings: PairSettings) -> np.ndarray:
     """Return the row of the partner of each cell of one scan in the other, -1 without any."""
     partners = np.full(len(one.surfaces), -1)
     centres, normals = one.into(other)

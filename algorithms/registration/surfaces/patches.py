@@ -1,9 +1,10 @@
 """The plane surfaces of a scan, in small cells."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
+from typing import Optional
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -21,7 +22,7 @@ NEIGHBOURS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z i
 NEIGHBOURS = NEIGHBOURS[len(NEIGHBOURS) // 2 + 1 :]
 """One of each two opposite neighbours of a cell."""
 
-OF_CELLS = ("edges", "centres", "normals", "variances")
+OF_CELLS = ("edges", "centres", "normals", "variances", "bordered")
 """What `Surfaces` has of each cell."""
 
 
@@ -39,15 +40,24 @@ class Surfaces:
         Unit vectors, towards the scanner if its position is known, or else of either sign.
     variances : ndarray, shape (n,)
         Of a centre along its normal, square metres.
-    facing : bool
-        Whether the position of the scanner is known.
+    bordered : ndarray of bool, shape (n,)
+        Whether a cell beside it holds something out of its plane, which moves its middle by some millimetres:
+        exact enough to find where a scan stood, but not to tie scans.
+    station : ndarray, shape (3,), or None
+        Where the scanner stood; None if that is not known.
     """
 
     edges: np.ndarray
     centres: np.ndarray
     normals: np.ndarray
     variances: np.ndarray
-    facing: bool = False
+    bordered: np.ndarray
+    station: Optional[np.ndarray] = None
+
+    @property
+    def facing(self) -> bool:
+        """Whether the position of the scanner is known."""
+        return self.station is not None
 
     def __len__(self) -> int:
         return len(self.centres)
@@ -61,9 +71,21 @@ class Surfaces:
         """Return some of the cells."""
         return replace(self, **{name: getattr(self, name)[wanted] for name in OF_CELLS})
 
+    @cached_property
+    def exact(self) -> "Surfaces":
+        """The cells that tie scans."""
+        return self.rows(~self.bordered)
+
     def shifted(self, vector: np.ndarray) -> "Surfaces":
         """Return the surfaces after a shift."""
-        return replace(self, centres=self.centres + vector)
+        station = None if self.station is None else self.station + vector
+        return replace(self, centres=self.centres + vector, station=station)
+
+    def mirrored(self) -> "Surfaces":
+        """Return the surfaces as in a mirror across y."""
+        flip = np.array([1.0, -1.0, 1.0])
+        station = None if self.station is None else self.station * flip
+        return replace(self, centres=self.centres * flip, normals=self.normals * flip, station=station)
 
     @cached_property
     def box(self) -> tuple[np.ndarray, np.ndarray]:
@@ -77,19 +99,21 @@ class Surfaces:
     def seen_from(self, station: np.ndarray) -> "Surfaces":
         """Return the surfaces with normals towards a scanner."""
         towards = np.einsum("ij,ij->i", self.normals, station - self.centres)
-        return replace(self, normals=np.where(towards < 0, -1.0, 1.0)[:, None] * self.normals, facing=True)
+        normals = np.where(towards < 0, -1.0, 1.0)[:, None] * self.normals
+        return replace(self, normals=normals, station=np.asarray(station, float))
 
     def can_be_seen_from(self, station: np.ndarray, settings: StationSettings = StationSettings()) -> bool:
         """Return whether a position may be that of the scanner.
 
         The origin of a cloud that was moved before lies far from it, or behind its walls.
         """
-        if not len(self):
+        own = self.exact
+        if not len(own):
             return False
-        low, high = self.box
+        low, high = own.box
         if np.linalg.norm(np.maximum(low - station, station - high).clip(min=0)) > np.linalg.norm(high - low):
             return False
-        hidden = hidden_share(station, self.centres, self.normals, self.edges, settings)
+        hidden = hidden_share(station, own.centres, own.normals, own.edges, settings)
         return hidden <= settings.most_hidden
 
 
@@ -147,7 +171,7 @@ def surfaces_of(chunks: Iterable[np.ndarray], settings: PatchSettings = PatchSet
         found.append(level)
         covered = np.unique(packed(unpacked(np.union1d(keys, covered)) >> 1))
         cells = cells.doubled()
-    return Surfaces(*(np.concatenate([getattr(level, name) for level in found]) for name in OF_CELLS))
+    return joined(found)
 
 
 def _plane_cells(every: Cells, covered: np.ndarray, settings: PatchSettings) -> tuple[Surfaces, np.ndarray]:
@@ -158,18 +182,32 @@ def _plane_cells(every: Cells, covered: np.ndarray, settings: PatchSettings) -> 
     plane = widths[:, 0] < settings.thickest * widths[:, 1]
     plane &= widths[:, 1] > settings.narrowest * cells.edge
     cells, normals = cells.rows(plane), vectors[plane][:, :, 0]
-    keys = cells.keys
-    if len(keys):
-        free = _free_standing(cells, normals, every, settings)
-        cells = _whole(cells.rows(free), normals[free], every, settings)
+    free = _free_standing(cells, normals, every, settings) if len(cells.keys) else np.zeros(0, bool)
+    found = [
+        _surfaces(cells.rows(kind), normals[kind], every, bordered, settings)
+        for kind, bordered in ((free, False), (~free, True))
+    ]
+    return joined(found), cells.keys
+
+
+def _surfaces(
+    cells: Cells, normals: np.ndarray, every: Cells, bordered: bool, settings: PatchSettings
+) -> Surfaces:
+    if len(cells.keys):
+        cells = _whole(cells, normals, every, settings)
     values, vectors = np.linalg.eigh(cells.covariances())
-    surfaces = Surfaces(
+    return Surfaces(
         edges=np.full(len(cells.keys), cells.edge),
         centres=cells.centres(),
         normals=_of_planes(cells, vectors[:, :, 0], settings),
         variances=np.maximum(values[:, 0], 0.0) / cells.counts,
+        bordered=np.full(len(cells.keys), bordered),
     )
-    return surfaces, keys
+
+
+def joined(parts: Sequence[Surfaces]) -> Surfaces:
+    """Return the cells of one scan together, without the position of the scanner."""
+    return Surfaces(*(np.concatenate([getattr(part, name) for part in parts]) for name in OF_CELLS))
 
 
 def _free_standing(cells: Cells, normals: np.ndarray, every: Cells, settings: PatchSettings) -> np.ndarray:

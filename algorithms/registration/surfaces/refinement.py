@@ -18,12 +18,13 @@ from ...progress import Progress
 from ..adjustment.block_adjustment import Adjusted, adjust_tied
 from ..adjustment.similarity import Pose, parameter_design
 from ..adjustment.statistical_tests import global_test, spread_factor
+from ..matching.refusals import Refusal
 from ..results import SharedSurfaces, SurfaceChange
 from ..sequential_registration import SequentialRegistration
 from ..settings import Model, Settings
 from .pairing import Placed, paired
 from .patches import Surfaces
-from .tie import Tie, free_directions
+from .tie import Tie, free_directions, spoken
 
 ScanPair = tuple[int, int]
 """The numbers of two scans among those placed."""
@@ -35,6 +36,8 @@ class Refined:
 
     Attributes
     ----------
+    sequence : SequentialRegistration
+        Without scans that surfaces placed, but do not hold.
     adjusted : Adjusted
     changes : dict of str to SurfaceChange
         Of the scans that surfaces tie, by their names.
@@ -43,6 +46,7 @@ class Refined:
     warnings : tuple of str
     """
 
+    sequence: SequentialRegistration
     adjusted: Adjusted
     changes: dict[str, SurfaceChange] = field(default_factory=dict)
     shared: tuple[SharedSurfaces, ...] = ()
@@ -51,7 +55,7 @@ class Refined:
 
 def refine(
     sequence: SequentialRegistration,
-    by_targets: Adjusted,
+    by_targets: Optional[Adjusted],
     surfaces: Mapping[str, Surfaces],
     settings: Settings,
     progress: Progress = Progress(),
@@ -61,9 +65,9 @@ def refine(
     Parameters
     ----------
     sequence : SequentialRegistration
-        Of the scans in `by_targets`, and maybe others that surfaces placed.
-    by_targets : Adjusted
-        The block without surfaces.
+        Of the scans in `by_targets`, and then those that surfaces placed.
+    by_targets : Adjusted or None
+        The block without surfaces; None if targets placed no scan.
     surfaces : mapping of str to Surfaces
         By the names of the scans, near their origins.
     settings : Settings
@@ -77,32 +81,87 @@ def refine(
     block = _Block(sequence, by_targets, surfaces, settings)
     left_out: dict[str, SurfaceChange] = {}
     while True:
-        adjusted, ties = block.tied(left_out, progress.part(len(left_out) / len(sequence.placed), 1.0))
+        part = progress.part(len(left_out) / len(sequence.placed), 1.0)
+        try:
+            adjusted, ties = block.tied(left_out, part)
+        except np.linalg.LinAlgError:
+            block = block.without_last()
+            continue
         changes = block.changes(adjusted, ties)
+        wrong = block.wrong_target(adjusted)
+        if wrong is not None:
+            block = block.without_target(*wrong)
+            continue
         worst = block.worst(adjusted, changes)
         if worst is None:
+            tied = {block.name(number) for tie in ties for number in tie.scans}
             shared = tuple(block.shared(tie, adjusted) for tie in ties)
-            warnings = (*_contradictions(left_out), *_untied(surfaces, sequence, {**left_out, **changes}))
-            return Refined(adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared)))
+            warnings = (*_contradictions(left_out), *_untied(surfaces, block.sequence, {*left_out, *tied}))
+            return Refined(
+                block.sequence, adjusted, {**left_out, **changes}, shared, (*warnings, *_sliding(shared))
+            )
         left_out[worst] = replace(changes[worst], used=False)
 
 
 @dataclass(frozen=True)
 class _Block:
     sequence: SequentialRegistration
-    by_targets: Adjusted
+    by_targets: Optional[Adjusted]
     surfaces: Mapping[str, Surfaces]
     settings: Settings
 
+    @property
+    def start(self) -> tuple[Pose, ...]:
+        """The poses before surfaces tie the scans."""
+        known = () if self.by_targets is None else self.by_targets.block.poses
+        return (*known, *(item.pose for item in self.sequence.placed[len(known) :]))
+
+    def without_last(self) -> "_Block":
+        """Return the block without the scan that surfaces placed last, because they do not hold all of them.
+
+        Raises
+        ------
+        numpy.linalg.LinAlgError
+            If targets placed all scans.
+        """
+        last = self.sequence.placed[-1]
+        if last.placement is None:
+            raise np.linalg.LinAlgError(f"{last.scan.name} is held by nothing")
+        refused = {**self.sequence.refused, last.scan.name: not_held(last.scan.name)}
+        fewer = replace(self.sequence, placed=self.sequence.placed[:-1], refused=refused)
+        return replace(self, sequence=fewer)
+
+    def wrong_target(self, adjusted: Adjusted) -> Optional[tuple[int, int, np.ndarray]]:
+        """Return scan, row and w of the most wrong target among those that surfaces matched."""
+        found = []
+        limit = self.settings.adjustment.tests.critical_w
+        for number, item in enumerate(self.sequence.placed):
+            if item.placement is not None and len(adjusted.used[number]):
+                normalized = adjusted.block.targets[number].normalized
+                sizes = np.nan_to_num(np.abs(normalized)).max(axis=1)
+                worst = int(sizes.argmax())
+                found.append((sizes[worst], number, int(adjusted.used[number][worst]), normalized[worst]))
+        size, *suspect = max(found, key=lambda item: item[0], default=(0.0, 0, 0, np.zeros(0)))
+        return (suspect[0], suspect[1], suspect[2]) if size > limit else None
+
+    def without_target(self, number: int, row: int, normalized: np.ndarray) -> "_Block":
+        """Return the block in which a target of a scan is rejected."""
+        placed = list(self.sequence.placed)
+        item = placed[number]
+        placed[number] = replace(item, rejected={**item.rejected, row: normalized})
+        return replace(self, sequence=replace(self.sequence, placed=tuple(placed)))
+
     def tied(self, left_out: Container[str], progress: Progress) -> tuple[Adjusted, list[Tie]]:
         """Return the block and its ties when neither changes any more."""
-        limits, pairs = self.settings.surfaces, self._pairs(left_out)
+        limits, poses = self.settings.surfaces, self.start
+        pairs = self._pairs(left_out, poses)
         gates = dict.fromkeys(pairs, limits.pairs.gate_m)
-        poses, adjusted, ties = self.by_targets.block.poses, self.by_targets, list[Tie]()
+        known = () if self.by_targets is None else self.by_targets.rejected
+        rejected = (*known, *(item.rejected for item in self.sequence.placed[len(known) :]))
         for number in range(limits.refinement.most_rounds):
             progress.update(number / limits.refinement.most_rounds, "Tying scans by their surfaces")
             ties = self._ties(gates, poses, progress)
-            adjusted = adjust_tied(self.sequence, self.by_targets.rejected, self.settings, ties)
+            adjusted = adjust_tied(self.sequence, rejected, self.settings, ties)
             moved = self._farthest(poses, adjusted.block.poses)
             poses = adjusted.block.poses
             narrower = {tie.scans: self._narrower(gates[tie.scans], tie, poses) for tie in ties}
@@ -119,24 +178,25 @@ class _Block:
         return max(gate / 2, min(2 * limits.trim * float(off), gate), limits.least_gate_m)
 
     def _of(self, number: int) -> Optional[Surfaces]:
-        found = self.surfaces.get(self._name(number))
+        found = self.surfaces.get(self.name(number))
         return found if found is not None and len(found) else None
 
-    def _name(self, number: int) -> str:
+    def name(self, number: int) -> str:
+        """Return the name of a scan."""
         return self.sequence.placed[number].scan.name
 
-    def _pairs(self, left_out: Container[str]) -> list[ScanPair]:
+    def _pairs(self, left_out: Container[str], poses: tuple[Pose, ...]) -> list[ScanPair]:
         """Return the scans whose boxes overlap, of those whose scanners are known."""
         boxes = {}
-        for number, pose in enumerate(self.by_targets.block.poses):
+        for number, pose in enumerate(poses):
             own = self._of(number)
-            if own is not None and own.facing and self._name(number) not in left_out:
+            if own is not None and own.facing and self.name(number) not in left_out:
                 corners = pose.apply(own.corners())
                 boxes[number] = corners.min(axis=0), corners.max(axis=0)
         gate = self.settings.surfaces.pairs.gate_m
         return [
             (one, other)
-            for one, other in combinations(sorted(boxes, key=self._name), 2)
+            for one, other in combinations(sorted(boxes, key=self.name), 2)
             if (boxes[one][0] < boxes[other][1] + gate).all()
             and (boxes[other][0] < boxes[one][1] + gate).all()
         ]
@@ -145,11 +205,26 @@ class _Block:
         ties = []
         for pair, gate in gates.items():
             progress.check()
-            one, other = (Placed(self.surfaces[self._name(number)], poses[number]) for number in pair)
-            tie = paired(one, other, pair, gate, self.settings.surfaces.pairs, self.settings.model)
+            tie = self._tie(pair, gate, poses, exact=True)
+            placed = any(self.sequence.placed[number].placement is not None for number in pair)
+            if placed and (tie is None or len(self._free(tie, poses))):
+                # Nothing else holds the scan: a few millimetres are better than nothing.
+                tie = self._tie(pair, gate, poses, exact=False)
             if tie is not None:
                 ties.append(tie)
         return ties
+
+    def _tie(self, pair: ScanPair, gate: float, poses: tuple[Pose, ...], exact: bool) -> Optional[Tie]:
+        own = [self.surfaces[self.name(number)] for number in pair]
+        one, other = (Placed(item.exact if exact else item, poses[number]) for item, number in zip(own, pair))
+        if not len(one.surfaces) or not len(other.surfaces):
+            return None
+        return paired(one, other, pair, gate, self.settings.surfaces.pairs, self.settings.model)
+
+    def _free(self, tie: Tie, poses: tuple[Pose, ...]) -> np.ndarray:
+        """Return the directions along which the scans of a tie slide."""
+        directions = tie.directions(*(poses[number] for number in tie.scans))
+        return free_directions(directions, self.settings.surfaces.refinement.weak_share)
 
     def _farthest(self, before: tuple[Pose, ...], after: tuple[Pose, ...]) -> float:
         """Return how far any surface moved, metres."""
@@ -162,10 +237,12 @@ class _Block:
         return max(moves)
 
     def changes(self, adjusted: Adjusted, ties: list[Tie]) -> dict[str, SurfaceChange]:
-        """Return what surfaces change of the scans that they tie, by their names."""
+        """Return what surfaces change of the scans that they tie and targets placed, by their names."""
+        if self.by_targets is None:
+            return {}
         before = self.by_targets.block
         return {
-            self._name(number): _change(
+            self.name(number): _change(
                 self.sequence.placed[number].scan.xyz,
                 before.poses[number],
                 adjusted.block.poses[number],
@@ -173,11 +250,14 @@ class _Block:
                 self.settings,
             )
             for number in sorted({number for tie in ties for number in tie.scans})
+            if number < len(before.poses)
         }
 
     @property
     def _spread(self) -> float:
         """The standard deviation of unit weight by the targets alone."""
+        if self.by_targets is None:
+            return 1.0
         before, limits = self.by_targets.block, self.settings.adjustment.tests
         test = global_test(before.sum_of_squares, before.redundancy, limits)
         # A small sigma0 of few redundant observations does not make targets more exact.
@@ -192,13 +272,16 @@ class _Block:
         wrong = [name for name, change in changes.items() if not change.used]
         if wrong:
             return max(wrong, key=lambda name: changes[name].sigmas)
+        if self.by_targets is None or len(changes) < 2:
+            return None
         before, after = self.by_targets.block, adjusted.block
-        growth = (after.sum_of_squares - before.sum_of_squares) / self._spread**2
+        of_placed = sum(item.squares.sum() for item in after.targets[len(before.targets) :])
+        growth = (after.sum_of_squares - of_placed - before.sum_of_squares) / self._spread**2
         count = self.settings.model.unknowns * (len(changes) - 1)
-        if not changes or growth <= stats.chi2.isf(self.settings.surfaces.refinement.significance, count):
+        if growth <= stats.chi2.isf(self.settings.surfaces.refinement.significance, count):
             return None
         grown = {
-            self._name(number): float(new.squares.mean() - old.squares.mean())
+            self.name(number): float(new.squares.mean() - old.squares.mean())
             for number, (old, new) in enumerate(zip(before.targets, after.targets))
         }
         return max(changes, key=lambda name: grown[name])
@@ -206,9 +289,18 @@ class _Block:
     def shared(self, tie: Tie, adjusted: Adjusted) -> SharedSurfaces:
         """Return what a tie shows after the adjustment."""
         poses = [adjusted.block.poses[number] for number in tie.scans]
-        one, other = (self._name(number) for number in tie.scans)
-        free = free_directions(tie.directions(*poses), self.settings.surfaces.refinement.weak_share)
+        one, other = (self.name(number) for number in tie.scans)
+        free = self._free(tie, adjusted.block.poses)
         return SharedSurfaces((one, other), tie.overlap, len(tie), tie.rms(*poses), free)
+
+
+def not_held(name: str) -> Refusal:
+    """Return the refusal of a scan that surfaces placed, but do not hold."""
+    return Refusal(
+        "no overlap",
+        f"{name} shares too few plane surfaces with other scans to be tied to them; scan with more overlap, "
+        "or pick targets.",
+    )
 
 
 def _change(
@@ -272,19 +364,12 @@ def _sliding(shared: tuple[SharedSurfaces, ...]) -> list[str]:
         one, other = item.scans
         if len(item.free) == 1:
             sentences.append(
-                f"{one} and {other} slide along the surfaces that they share, {_spoken(item.free[0])}; in "
-                "that direction, targets alone hold them."
+                f"{one} and {other} slide along the surfaces that they share, {spoken(item.free[0])}; in "
+                "that direction, only targets or other scans hold them."
             )
         elif len(item.free):
             sentences.append(
                 f"{one} and {other} share only surfaces that face one way, and slide in all directions along "
-                "them; there, targets alone hold them."
+                "them; there, only targets or other scans hold them."
             )
     return sentences
-
-
-def _spoken(direction: np.ndarray) -> str:
-    """Return a direction in words; its azimuth is counted from y, and both ways are the same."""
-    if abs(direction[2]) > np.sqrt(0.5):
-        return "up and down"
-    return f"at an azimuth of {np.degrees(np.arctan2(direction[0], direction[1])) % 180:.0f} degrees"

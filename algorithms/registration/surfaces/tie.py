@@ -127,3 +127,10 @@ def free_directions(normals: np.ndarray, share: float) -> np.ndarray:
     """
     values, vectors = np.linalg.eigh(normals.T @ normals / len(normals))
     return vectors[:, values < share].T
+
+
+def spoken(direction: np.ndarray) -> str:
+    """Return a direction in words; its azimuth is counted from y, and both ways are the same."""
+    if abs(direction[2]) > np.sqrt(0.5):
+        return "up and down"
+    return f"at an azimuth of {np.degrees(np.arctan2(direction[0], direction[1])) % 180:.0f} degrees"

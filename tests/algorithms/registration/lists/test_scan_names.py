@@ -3,7 +3,12 @@
 from pathlib import Path
 
 import pytest
-from ichnograph.algorithms.registration.lists.scan_names import has_list, lists_beside, scan_of_cloud
+from ichnograph.algorithms.registration.lists.scan_names import (
+    has_list,
+    lists_beside,
+    scan_name,
+    scan_of_cloud,
+)
 
 
 @pytest.mark.parametrize(
@@ -19,6 +24,11 @@ from ichnograph.algorithms.registration.lists.scan_names import has_list, lists_
 )
 def test_a_cloud_is_named_after_its_scan(names, cloud, number):
     assert scan_of_cloud(names, Path(cloud)) == number
+
+
+@pytest.mark.parametrize("cloud", ["yard.laz", "yard.copc.laz", "yard.COPC.laz", "folder/yard.e57"])
+def test_a_scan_without_a_list_has_the_name_of_its_cloud(cloud):
+    assert scan_name(Path(cloud)) == "yard"
 
 
 def test_a_file_of_several_scans_has_numbered_lists():

@@ -33,7 +33,13 @@ def surfaces_in(matrix, faces, station=None, seed=0, error=0.0):
     """Return the cells of faces in the frame of a scan that `matrix` takes to the control frame."""
     centres, normals = cells_on(faces, seed, error)
     own = (centres - matrix[:3, 3]) @ matrix[:3, :3]
-    found = Surfaces(np.full(len(own), EDGE), own, normals @ matrix[:3, :3], np.full(len(own), 1e-8))
+    found = Surfaces(
+        np.full(len(own), EDGE),
+        own,
+        normals @ matrix[:3, :3],
+        np.full(len(own), 1e-8),
+        np.zeros(len(own), bool),
+    )
     if station is None:
         return found
     return found.seen_from((np.asarray(station, float) - matrix[:3, 3]) @ matrix[:3, :3])

@@ -102,3 +102,11 @@ def test_a_file_is_read_in_its_own_coordinates(tmp_path):
     assert found.facing
     assert found.centres[:, 1] == pytest.approx(3.03, abs=0.003)
     assert (found.normals[:, 1] < 0).all()
+
+
+def test_the_mirror_image_of_surfaces_faces_its_scanner():
+    found = surfaces_of([wall()]).seen_from(np.array([0.0, 2.0, 0.0])).mirrored()
+    towards = found.station - found.centres
+
+    assert found.station == pytest.approx([0.0, -2.0, 0.0])
+    assert (np.einsum("ij,ij->i", towards, found.normals) > 0).all()

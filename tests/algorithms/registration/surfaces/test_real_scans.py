@@ -1,7 +1,6 @@
-"""Real scans of a hall by a robot, tied by surfaces from poses that were only counted from its wheels."""
+"""Real scans tied by surfaces from rough poses, and placed by surfaces without any."""
 
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,29 +8,11 @@ from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.settings import Settings
 from ichnograph.algorithms.registration.surfaces.patches import surfaces_of
 from ichnograph.tests.algorithms.registration.hall import listed
-from scipy.spatial.transform import Rotation
+from ichnograph.tests.scenes.real_scans import HALL, hall_scan, room_scans
 
-HALL = Path(__file__).resolve().parents[5] / "shared" / "data" / "hall_3dtk_three_scans" / "dat.zip"
 pytestmark = pytest.mark.skipif(not HALL.exists(), reason="the shared test data are not here")
 
-TO_METRES = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]) / 100
-"""From centimetres in a left-handed frame with y up."""
-
-NO_RETURN = 30.0
-"""Points beyond are rays without an echo (m)."""
-
 SIGMA = 0.05
-
-
-def read(file, number):
-    """Return the points of a scan (m), and the matrix of its pose."""
-    points = np.loadtxt(file.open(f"scan00{number}.3d")) @ TO_METRES.T
-    position, angles = np.loadtxt(file.open(f"scan00{number}.pose"))
-    matrix = np.eye(4)
-    turn = TO_METRES * 100
-    matrix[:3, :3] = turn @ Rotation.from_euler("XYZ", angles, degrees=True).as_matrix() @ turn.T
-    matrix[:3, 3] = TO_METRES @ position
-    return points[np.linalg.norm(points, axis=1) < NO_RETURN], matrix
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +23,7 @@ def registered():
     lists, surfaces = [], {}
     with zipfile.ZipFile(HALL) as file:
         for number in range(3):
-            points, matrix = read(file, number)
+            points, matrix = hall_scan(file, number)
             own = (places - matrix[:3, 3]) @ matrix[:3, :3] + random.normal(0, SIGMA, places.shape)
             lists.append(listed(f"s{number}", own))
             surfaces[f"s{number}"] = surfaces_of([points]).seen_from(np.zeros(3))
@@ -67,3 +48,34 @@ def test_surfaces_stay_within_what_the_targets_allow(registered):
     for before, after in zip(alone.scans, tied.scans):
         assert after.surfaces.used
         assert after.std < before.std
+
+
+def placed(surfaces):
+    """Return the registration of scans without any target."""
+    lists = [listed(name, np.zeros((0, 3))) for name in surfaces]
+    return register_scans(listed("control", np.zeros((0, 3))), lists, Settings(), surfaces=surfaces)
+
+
+def test_the_scans_of_a_robot_are_placed_without_targets_where_its_wheels_say():
+    surfaces, matrices = {}, []
+    with zipfile.ZipFile(HALL) as file:
+        for number in range(3):
+            points, matrix = hall_scan(file, number)
+            surfaces[f"s{number}"] = surfaces_of([points]).seen_from(np.zeros(3))
+            matrices.append(matrix)
+
+    for scan, matrix in zip(placed(surfaces).scans, matrices):
+        assert scan.registered
+        assert np.linalg.norm(scan.matrix[:3, 3] - matrix[:3, 3]) < 0.1
+
+
+def test_two_scans_of_a_room_are_placed_by_their_surfaces():
+    surfaces = {
+        f"scan{number}": surfaces_of([points]).seen_from(np.zeros(3))
+        for number, points in enumerate(room_scans(), start=1)
+    }
+    second = placed(surfaces).scans[1]
+
+    assert second.placement.contradicting < 0.05 * second.placement.agreeing
+    assert second.placement.next_share < 0.5
+    assert second.matrix[:2, 3] == pytest.approx([1.97, 0.06], abs=0.05)

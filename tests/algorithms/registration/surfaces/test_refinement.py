@@ -164,7 +164,7 @@ def test_a_scan_that_shares_nothing_is_held_by_its_targets_and_it_is_said(rooms)
 
 
 def test_a_scan_whose_scanner_is_not_known_is_not_tied_and_it_is_said(rooms):
-    unknown = {**rooms.surfaces, "s3": replace(rooms.surfaces["s3"], facing=False)}
+    unknown = {**rooms.surfaces, "s3": replace(rooms.surfaces["s3"], station=None)}
     result = rooms.registered(surfaces=unknown)
 
     assert result.scans[3].surfaces is None
