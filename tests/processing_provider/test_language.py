@@ -37,6 +37,7 @@ def speaking(qgis_application):
 
 def english_in(text):
     """Return the English words of a text that is not English, except those of ids and files."""
+    text = re.sub(r"(?<!\S)/\S+", "", text)
     return sorted({*re.findall(r"(?<![\w/._'=])[a-z]+(?![\w/._'=])", text)} & ENGLISH)
 
 
