@@ -100,27 +100,34 @@ def _filled(
     layer = int(np.bincount(states.nearest[region.box][region.image]).argmax())
     height = region.image.shape[0] * states.grid.size
     use = WINDOW
-    grounded = sides[BELOW] or _wall_below(region, wall) * states.grid.size <= settings.step_m
+    grounded = sides[BELOW] or _ground_below(region, states) <= settings.step_m
     if grounded and height >= settings.lowest_door_m:
         use = DOOR if kind == RECESS else PASSAGE
     named = tuple(name for name, is_open in zip(SIDES, sides) if is_open)
     polygon = region_polygon(region, states)
-    bent = _bent_sides(region, heights, depth, settings)
+    bent = _bent_sides(region, heights, depth, states.grid.size, settings)
     return Opening(region, polygon, kind, use, depth, layer, named, inside, bent)
 
 
-def _wall_below(region: Region, wall: np.ndarray) -> float:
-    """Return how high the wall below a region is, in pixels."""
-    rows, columns = region.box
-    return float(np.median(wall[: rows.start, columns].sum(axis=0)))
+def _ground_below(region: Region, states: States) -> float:
+    """Return how far from the ground a region begins (m); infinite where no ground was seen.
+
+    The wall below a window may be hidden, or not a part of the cloud, down to any height.
+    """
+    _, columns = region.box
+    bottom = states.grid.edges(region.box)[1]
+    return float(np.median(np.abs(bottom - states.ground[columns])))
 
 
-def _bent_sides(region: Region, heights: np.ndarray, depth: float, settings: ContentSettings) -> int:
+def _bent_sides(
+    region: Region, heights: np.ndarray, depth: float, size: float, settings: ContentSettings
+) -> int:
     """Return on how many sides the wall beside a region is nearly as deep as what is seen in it."""
     (bottom, top), (left, right) = ((side.start, side.stop) for side in region.box)
     rows, columns = region.box
     # The pixels at the edge are mixed.
-    reach, next_to = settings.beside_pixels + 1, 1
+    next_to = 1
+    reach = next_to + max(round(settings.beside_m / size), 1)
     strips = (
         heights[rows, max(left - reach, 0) : max(left - next_to, 0)],
         heights[rows, right + next_to : right + reach],

@@ -65,9 +65,16 @@ class StateSettings:
         3.0, "What is farther behind is seen at a slant and does not project into the opening it is seen in."
     )
     jamb_m: float = physical(0.5, "Jambs reach this far behind the wall, and less where its inner face is.")
-    sill_m: float = physical(0.3, "Sills and surrounds project by less.")
-    bar_m: float = physical(0.05, "The bars of a railing are thinner, sills and surrounds are not.")
+    sill_m: float = physical(0.3, "Sills project by less.")
+    sill_height_m: float = physical(0.25, "Sills are lower; shutters, pipes and surrounds are higher.")
+    sill_gap_m: float = judged(
+        0.15, "Between the points of one sill there are narrower gaps, between two shutters wider ones."
+    )
+    bar_m: float = physical(0.05, "The bars of a railing are thinner, sills are not.")
     before_m: float = physical(4.0, "What is farther in front is the street; nearer things hide the wall.")
+    ground_m: tuple[float, float] = physical(
+        (0.3, 1.0), "The ground at the foot of a wall is farther before it than sills, and nearer than kerbs."
+    )
 
 
 @dataclass(frozen=True)
@@ -117,7 +124,7 @@ class ContentSettings:
     near_m: float = physical(1.0, "Panes, doors and the backs of niches are not deeper in the wall.")
     lowest_door_m: float = physical(1.6, "Doors and passages are not lower.")
     step_m: float = physical(0.2, "Thresholds and steps below a door are not higher.")
-    beside_pixels: int = judged(3, "The wall beside an opening, in pixels.")
+    beside_m: float = judged(0.05, "The wall beside an opening, where a rounded edge has ended.")
     bend: float = judged(
         0.5, "A wall that bends is beside the opening as deep as this part of what is in it."
     )

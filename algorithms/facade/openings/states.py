@@ -7,7 +7,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..planes.inner_face import Face
-from .grid import Grid, beyond, grid_over
+from .grid import ABOVE, BELOW, LEFT, RIGHT, Grid, beyond, first_seen, grid_over
 from .layers import Layer, find_layers
 from .settings import OpeningSettings, StateSettings
 from .spacings import local_spacings
@@ -38,6 +38,8 @@ class States:
         The pixels with points close behind the wall, as on jambs.
     spacings : ndarray of float64, shape (rows, columns)
         Of the points of the wall around each pixel (m).
+    ground : ndarray of float64, shape (columns,)
+        Height of the lowest point close before the wall, beyond its sills (m); infinite where none was seen.
     """
 
     grid: Grid
@@ -49,6 +51,7 @@ class States:
     on_wall: np.ndarray
     reveals: np.ndarray
     spacings: np.ndarray
+    ground: np.ndarray
 
 
 def make_states(
@@ -93,14 +96,15 @@ def make_states(
     for state, points in ((FRONT, front), (BEHIND, behind), (WALL, on_wall)):
         image[grid.holds(cells[points])] = state
     attached = inside & (above > tolerance) & (above <= limits.sill_m)
-    image[_sills(grid.holds(cells[attached]), grid.size, limits) & (image == BEHIND)] = FRONT
+    image[_sills(grid.holds(cells[attached]), image, grid.size, limits) & (image == BEHIND)] = FRONT
     if inner is not None:
         own = inside & (np.abs(-uvw[:, 2] - inner.offset) <= distance)
         image[grid.holds(cells[own]) & (image != WALL)] = INNER
     deepest = limits.jamb_m if inner is None else min(limits.jamb_m, inner.offset - distance)
     reveals = grid.holds(cells[behind & (above > -deepest)])
     spacings = local_spacings(cells[on_wall], grid, limits)
-    return States(grid, image, tuple(layers), nearest, cells, above, on_wall, reveals, spacings)
+    ground = _ground(uvw, grid, limits)
+    return States(grid, image, tuple(layers), nearest, cells, above, on_wall, reveals, spacings, ground)
 
 
 def _extent(uvw: np.ndarray, wall: np.ndarray, settings: OpeningSettings) -> np.ndarray:
@@ -128,13 +132,33 @@ def _spacing(uv: np.ndarray, settings: OpeningSettings) -> float:
     return float(side / np.sqrt(np.median(full)))
 
 
-def _sills(attached: np.ndarray, size: float, limits: StateSettings) -> np.ndarray:
-    """Return the pixels of sills and surrounds: solid strips, unlike the bars of a railing.
+def _ground(uvw: np.ndarray, grid: Grid, limits: StateSettings) -> np.ndarray:
+    """Return the height of the lowest point close before the wall in each column; infinite where none is."""
+    near, far = limits.ground_m
+    close = uvw[(uvw[:, 2] > near) & (uvw[:, 2] <= far)]
+    columns = np.floor((close[:, 0] - grid.corner[0]) / grid.size).astype(np.int64)
+    inside = (columns >= 0) & (columns < grid.shape[1])
+    lowest = np.full(grid.shape[1], np.inf)
+    np.minimum.at(lowest, columns[inside], close[inside, 1])
+    return lowest
 
-    What is behind them was seen from inside the building.
+
+def _sills(attached: np.ndarray, image: np.ndarray, size: float, limits: StateSettings) -> np.ndarray:
+    """Return the pixels of sills: solid strips on the wall below a hole, which reach beyond both its jambs.
+
+    What is behind them was seen from inside the building. Shutters and boxes of flowers in front of a hole
+    hide it, and do not bound it; nor do the bars of a railing.
     """
-    solid = ndimage.binary_opening(attached, np.ones((max(round(limits.bar_m / size), 2),) * 2))
-    return solid & ~ndimage.binary_opening(solid, np.ones((max(round(limits.square_m / size), 3),) * 2))
+    bar, highest, gap = (
+        max(round(length / size), 2) for length in (limits.bar_m, limits.sill_height_m, limits.sill_gap_m)
+    )
+    solid = ndimage.binary_opening(attached, np.ones((bar, bar)))
+    solid = ndimage.binary_closing(solid, np.ones((bar + 1, gap + 1)))
+    strips = solid & ~ndimage.binary_opening(solid, np.ones((highest + 1, 1)))
+    wall = first_seen(~strips & ((image == WALL) | (image == BEHIND)), image == WALL)
+    beyond_jambs = strips & wall[ABOVE] & wall[BELOW] & (wall[LEFT] | wall[RIGHT])
+    held = first_seen(~strips | beyond_jambs, beyond_jambs)
+    return strips & wall[BELOW] & held[LEFT] & held[RIGHT]
 
 
 def _nearest(layers: list[Layer], settings: OpeningSettings) -> np.ndarray:

@@ -185,6 +185,7 @@ def edge_deviation(
 
     The border lies anywhere within the gap. The part of this that appears as scatter along the edge
     averages out. The rest does not, for example where a line of the scan runs along the edge.
+    Nor does a lean, by which one end of the edge lies elsewhere than the other.
 
     Parameters
     ----------
@@ -195,9 +196,22 @@ def edge_deviation(
     if len(residuals) < 2:
         return float("nan")
     gap = float(np.median(gaps))
-    scatter = float(sigma_about_median(residuals)) ** 2
-    unseen = max(gap**2 / 12 - settings.edges.scattered * scatter, 0.0)
     length = float(np.hypot(*np.ptp(crossings, axis=0)))
     independent = max(min(length / max(gap, 1e-6), len(residuals)) / 2, 1.0)
+    trend = _trend(residuals, crossings)
+    lean = float(np.mean(trend**2))
+    if lean > settings.edges.leaning * float(np.var(residuals - trend)) / independent:
+        residuals = residuals - trend
+    else:
+        lean = 0.0
+    scatter = float(sigma_about_median(residuals)) ** 2
+    unseen = max(gap**2 / 12 - settings.edges.scattered * scatter, 0.0)
     systematic = settings.edges.systematic_m**2
-    return float(np.sqrt(unseen + (scatter + settings.noise_m**2) / independent + systematic))
+    return float(np.sqrt(unseen + lean + (scatter + settings.noise_m**2) / independent + systematic))
+
+
+def _trend(residuals: np.ndarray, crossings: np.ndarray) -> np.ndarray:
+    """Return the part of residuals that changes evenly along an edge."""
+    along = crossings[:, int(np.argmax(np.ptp(crossings, axis=0)))]
+    along = along - along.mean()
+    return np.asarray(along * (along @ residuals) / max(float(along @ along), 1e-18))

@@ -1,14 +1,14 @@
 """The heads of openings: flat, sloped, segmental, round or pointed."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from ...geometry.circles import fit_circle_on_axis
 from .edges import biweight, border_deviation
-from .settings import HeadSettings, OutlineSettings
+from .settings import OutlineSettings
 
 FLAT, SLOPED, SEGMENTAL, ROUND, POINTED = "flat", "sloped", "segmental", "round", "pointed"
 ARC_POINTS = 49
@@ -26,12 +26,15 @@ class Head:
     line : ndarray of float64, shape (k, 2)
         From the right jamb to the left one.
     std : float
-        Standard deviation of the height of its highest point (m).
+        Standard deviation of the height of its highest point (m); of one that sags, of its height anywhere.
+    sags : bool
+        Whether it is level but for a small slope.
     """
 
     kind: str
     line: np.ndarray
     std: float
+    sags: bool = False
 
     def off(self, points: np.ndarray) -> np.ndarray:
         """Return the distances of points, shape (n, 2), from the line."""
@@ -83,8 +86,12 @@ def fit_head(
     near = off <= limits.outlying * expected
     if near.mean() < limits.agreeing or np.ptp(points[near, 0]) < wide:
         return None
-    signed = off[near] * np.sign(_side(points[near], head))
-    return Head(head.kind, head.line, border_deviation(signed, points[near], gaps[near], spacing, settings))
+    points, gaps = points[near], gaps[near]
+    if head.kind == SLOPED and np.ptp(head.line[:, 1]) < limits.level_m:
+        level = np.column_stack([head.line[:, 0], np.full(2, head.line[:, 1].mean())])
+        head = Head(FLAT, level, float("nan"), sags=True)
+    signed = head.off(points) * np.sign(_side(points, head))
+    return replace(head, std=border_deviation(signed, points, gaps, spacing, settings))
 
 
 def _side(points: np.ndarray, head: Head) -> np.ndarray:
@@ -99,7 +106,7 @@ def _candidates(
     left, right = jambs
     level = biweight(points[:, 1], _densest_level(points, settings))
     yield FLAT, np.array([(right, level), (left, level)])
-    yield from _sloped(points, jambs, settings.heads, settings.noise_m)
+    yield from _sloped(points, jambs, settings)
     yield from _arched(points, jambs, settings)
     yield from _pointed(points, jambs, settings.noise_m)
 
@@ -113,13 +120,14 @@ def _densest_level(points: np.ndarray, settings: OutlineSettings) -> float:
 
 
 def _sloped(
-    points: np.ndarray, jambs: tuple[float, float], limits: HeadSettings, noise: float
+    points: np.ndarray, jambs: tuple[float, float], settings: OutlineSettings
 ) -> Iterator[tuple[str, np.ndarray]]:
     middle = 0.5 * (jambs[0] + jambs[1])
     u, v = points[:, 0] - middle, points[:, 1]
-    found = least_squares(lambda p: p[0] + p[1] * u - v, (np.median(v), 0.0), loss="soft_l1", f_scale=noise).x
-    rise = abs(found[1]) * (jambs[1] - jambs[0])
-    if abs(found[1]) <= limits.steepest and rise >= limits.level_m:
+    found = least_squares(
+        lambda p: p[0] + p[1] * u - v, (np.median(v), 0.0), loss="soft_l1", f_scale=settings.noise_m
+    ).x
+    if abs(found[1]) <= settings.heads.steepest:
         yield SLOPED, np.array([(edge, found[0] + found[1] * (edge - middle)) for edge in jambs[::-1]])
 
 

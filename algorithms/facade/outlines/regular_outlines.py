@@ -122,7 +122,7 @@ def _fit(border: Border, ring: Polygon, settings: OutlineSettings) -> _Sides:
     if top.measured and top.last - top.first >= settings.heads.flat_extent * width:
         return sides
     head = _head(border, sides, settings)
-    if head is None or (head.kind == FLAT and top.measured):
+    if head is None or (head.kind == FLAT and top.measured and not head.sags):
         return sides
     crown = Edge(float(head.line[:, 1].max()), head.std)
     return _Sides(sides.left, sides.bottom, sides.right, crown, None if head.kind == FLAT else head)

@@ -86,6 +86,9 @@ class EdgeSettings:
         1.5,
         "The scatter along an edge is estimated from few points; this factor keeps chance from adding to it.",
     )
+    leaning: float = statistical(
+        4.0, "Chance makes an edge lean by the variance of its mean; by more than so many of them in 5 %."
+    )
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,9 @@ class HeadSettings:
     flat_extent: float = judged(0.7, "A head that is level over this part of its width is flat.")
     widest: float = judged(0.5, "The border of a head is seen over this part of its width.")
     steepest: float = physical(0.7, "Sloped heads follow stairs and roofs, up to 35 degrees.")
-    level_m: float = physical(0.03, "Lintels of old walls that rise by less are level, and sag.")
+    level_m: float = physical(
+        0.03, "Lintels of old walls that rise by less are level, and sag; their height is the mean one."
+    )
     flattest: float = judged(8.0, "An arc of a larger radius, in half widths, is flat.")
     semicircle: float = judged(0.04, "An arc whose radius exceeds half the width by less is a semicircle.")
     outlying: float = statistical(4.0, "Expected deviations beyond which a part of the border lies off.")

@@ -7,8 +7,15 @@ from ichnograph.algorithms.facade.openings.content import DOOR, PASSAGE, fill_re
 from ichnograph.algorithms.facade.openings.content import WINDOW as A_WINDOW
 from ichnograph.algorithms.facade.openings.regions import find_regions
 from ichnograph.tests.algorithms.facade.openings.scenes import STEP, WINDOW, pane, reveal, states_of, wall
+from ichnograph.tests.algorithms.facade.samples import lattice
 
 GATE = (1.0, -1.0, 2.2, 2.1)
+
+
+def ground(low=0.0, fall=0.0):
+    """Return the ground up to 2 m before a wall, which falls by so much a metre."""
+    u, w = lattice(0, 0, 6, 2, STEP).T
+    return np.column_stack([u, low - fall * w, w])
 
 
 def opening_of(*parts):
@@ -40,8 +47,24 @@ def test_a_door_stands_on_the_ground_and_a_passage_has_nothing_in_it():
 
 def test_a_door_may_stand_on_a_step_but_not_on_a_parapet():
     step, parapet = ((1.0, low, 2.2, low + 2.0) for low in (0.15, 0.5))
-    assert opening_of(wall(step), pane(step, -0.3)).use == DOOR
-    assert opening_of(wall(parapet), pane(parapet, -0.3)).use == A_WINDOW
+    assert opening_of(wall(step), pane(step, -0.3), ground()).use == DOOR
+    assert opening_of(wall(parapet), pane(parapet, -0.3), ground()).use == A_WINDOW
+
+
+@pytest.mark.parametrize("before", [
+    [], [pane((0.9, 0.9, 2.3, 1.0), 0.2)], [pane((0.0, 0.0, 4.0, 0.8), 0.6), ground()], [ground()],
+], ids=["nothing", "sill", "car", "ground"])  # fmt: skip
+@pytest.mark.parametrize("foot", [0, 2], ids=["cropped", "hidden"])
+def test_a_window_below_which_little_of_the_wall_was_seen_is_not_a_door(before, foot):
+    window = (1.0, 1.0, 2.2, 2.8)
+    upper = wall(window)
+    upper = np.concatenate([upper[upper[:, 1] > 0.85], wall()[:foot]])
+    assert opening_of(upper, pane(window), *before).use == A_WINDOW
+
+
+def test_the_ground_before_a_door_may_fall():
+    step = (1.0, 0.12, 2.2, 2.2)
+    assert opening_of(wall(step), pane(step, -0.3), ground(fall=0.05)).use == DOOR
 
 
 def test_a_niche_has_a_step_on_all_sides_and_a_wall_that_bends_has_not():
@@ -53,6 +76,14 @@ def test_a_niche_has_a_step_on_all_sides_and_a_wall_that_bends_has_not():
     bend = opening_of(bending, pane(WINDOW, -0.025))
 
     assert (niche.bent, bend.bent) == (0, 2)
+
+
+def test_what_is_set_back_a_hand_beside_a_niche_does_not_bend_into_it_however_far_apart_the_points():
+    _, bottom, right, top = WINDOW
+    main = wall(WINDOW)
+    u, v, _ = main.T
+    main[(u > right + 0.1) & (u < right + 0.3) & (v > bottom) & (v < top), 2] = -0.014
+    assert opening_of(main, pane(WINDOW, -0.025)).bent == 0
 
 
 def test_the_polygon_is_the_hole_within_two_pixels():

@@ -1,6 +1,7 @@
 """Each pixel of an elevation shows the wall, something behind it, something in front, or nothing."""
 
 import numpy as np
+import pytest
 from ichnograph.algorithms.facade.openings.states import BEHIND, EMPTY, FRONT, INNER, WALL
 from ichnograph.algorithms.facade.planes.inner_face import Face
 from ichnograph.tests.algorithms.facade.openings.scenes import STEP, WINDOW, pane, states_of, wall
@@ -65,3 +66,14 @@ def test_a_sill_hides_what_was_seen_behind_it_from_inside_and_a_railing_does_not
 
     assert state_at(states, 1.5, 1.27) == FRONT
     assert all(state_at(states, u, 1.8) == BEHIND for u in np.arange(1.1, 1.95, 0.02))
+
+
+BOX, SIGN, PIPE = (1.05, 1.2, 1.95, 1.4), (0.8, 1.7, 2.2, 1.9), (1.4, 0.5, 1.6, 3.0)
+SHUTTERS = (0.95, 1.15, 1.17, 2.45), (1.83, 1.15, 2.05, 2.45)
+
+
+@pytest.mark.parametrize("strips", [(BOX,), SHUTTERS, (BOX, *SHUTTERS), (PIPE,), (SIGN,)])
+def test_a_strip_that_does_not_lie_on_the_wall_from_jamb_to_jamb_bounds_no_opening(strips):
+    hole = (1.0, 1.2, 2.0, 2.4)
+    states = states_of(wall(hole), pane(hole, -0.3), *(pane(strip, 0.1) for strip in strips))
+    assert all(state_at(states, *uv) == BEHIND for uv in lattice(1.0, 1.2, 2.0, 2.4, 0.05))

@@ -66,6 +66,14 @@ def test_an_edge_along_a_line_of_the_scan_may_lie_anywhere_in_the_gap():
     )
 
 
+def test_an_edge_that_leans_is_uncertain_by_its_lean():
+    across, along = border(scatter=0.001)
+    upright, leaning = (edge_of(across + rise * (along / 1.5 - 0.5), along) for rise in (0, 0.024))
+    assert leaning.position == pytest.approx(upright.position, abs=0.002)
+    assert upright.std < 0.004
+    assert leaning.std == pytest.approx(0.024 / np.sqrt(12), rel=0.15)
+
+
 def test_an_edge_that_was_not_seen_has_no_deviation():
     assert np.isnan(edge_deviation(np.empty(0), np.empty((0, 2)), np.empty(0)))
 

@@ -31,9 +31,9 @@ def pointed():
     return 1.0 + np.sqrt(1.2**2 - (own + HALF) ** 2)
 
 
-def head_of(v, noise=0.002, spacing=0.0):
+def head_of(v, noise=0.002, spacing=0.0, gap=GAP):
     points = np.column_stack([U, v + np.random.default_rng(0).normal(0, noise, len(U))])
-    return fit_head(points, np.full(len(U), GAP), JAMBS, spacing=spacing)
+    return fit_head(points, np.full(len(U), gap), JAMBS, spacing=spacing)
 
 
 @pytest.mark.parametrize(("shape", "kind", "height"), [
@@ -51,6 +51,16 @@ def test_each_head_is_recognised_with_its_height(shape, kind, height):
 def test_an_old_lintel_that_sags_by_less_than_3_cm_is_level():
     assert head_of(2.0 + 0.02 * U).kind == FLAT
     assert head_of(2.0 + 0.04 * U).kind == SLOPED
+
+
+@pytest.mark.parametrize("gap", [0.002, 0.005, 0.01, 0.02])
+@pytest.mark.parametrize("rise", [-0.028, 0.012, 0.028])
+def test_a_lintel_that_sags_is_as_uncertain_as_its_height_changes_however_dense_the_points(rise, gap):
+    head = head_of(2.0 + rise * (U / 1.2 - 0.5), gap=gap)
+
+    assert head.kind == FLAT
+    assert head.line[:, 1] == pytest.approx([2.0, 2.0], abs=0.002)
+    assert 0.9 * abs(rise) / np.sqrt(12) < head.std < abs(rise) / np.sqrt(12) + 0.5 * gap
 
 
 def test_the_outermost_of_points_far_apart_do_not_make_an_arch():

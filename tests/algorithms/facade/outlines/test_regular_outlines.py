@@ -174,3 +174,14 @@ def test_the_border_of_a_shadow_measures_no_edge_of_a_free_shape():
     assert outline.shape == FREE
     assert np.isnan(outline.edges.right) and np.isnan(outline.edges.bottom)
     assert outline.edges.left < 0.005 and outline.edges.top < 0.005
+
+
+@pytest.mark.parametrize("gap", [0.002, 0.005, 0.01, 0.02])
+def test_a_window_below_a_lintel_that_sags_is_level_and_as_uncertain_as_its_height_changes(gap):
+    window = Polygon([(0, 0), (1, 0), (1, 1.514), (0, 1.486)])
+    border = border_of(window, scatter=0.002)
+    outline = make_outline(replace(border, gaps=np.full(len(border.gaps), gap)), True)
+
+    assert (outline.shape, outline.head) == (RECTANGLE, "flat")
+    assert outline.polygon.bounds[3] == pytest.approx(1.5, abs=0.003)
+    assert outline.edges.top == pytest.approx(0.028 / np.sqrt(12), rel=0.35)
