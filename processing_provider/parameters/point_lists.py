@@ -2,6 +2,7 @@
 
 # ruff: noqa: D102 - what overrides a method or property is described where that is.
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -50,7 +51,14 @@ class PointListFile(Parameter):
 
     Its definition asks for a vector layer, because then the dialog offers the layers of the project and a
     file chooser, which accepts text files too.
+
+    Attributes
+    ----------
+    planned : bool
+        Whether points may be planned rather than surveyed, and so at whole metres.
     """
+
+    planned: bool = False
 
     def _definition(self) -> PointListDefinition:
         return PointListDefinition(self.name, self.description, LIST_FILTER)
@@ -63,7 +71,7 @@ class PointListFile(Parameter):
             raise InputError(f"{self.name} is empty; choose a text file or a layer of points.")
         if len(items) > 1:
             raise InputError(f"{self.name} takes one list of points, not {len(items)}; choose one.")
-        return _read(items[0])
+        return _read(items[0], self.planned)
 
     def sources(self, value: "PointList") -> list[str]:
         return [str(value.path)] if value.path else []
@@ -135,12 +143,14 @@ def _layer_or_path(text: str, context: QgsProcessingContext) -> Item:
     return layer or text
 
 
-def _read(item: Item) -> "PointList":
+def _read(item: Item, planned: bool = False) -> "PointList":
     from ...algorithms.registration.lists.point_list import points_of_features, read_point_list
+    from ...algorithms.registration.lists.settings import ListSettings
 
+    settings = ListSettings(coarsest_step_m=math.inf) if planned else ListSettings()
     if isinstance(item, str):
         file, _, layer = item.partition("|layername=")
-        return read_point_list(file, layer or None)
+        return read_point_list(file, layer or None, settings)
     if not isinstance(item, QgsVectorLayer) or item.geometryType() != QgsWkbTypes.GeometryType.PointGeometry:
         raise InputError(f"{item.name()} is not a layer of points; choose another.")
     if not item.isValid():
@@ -148,7 +158,8 @@ def _read(item: Item) -> "PointList":
             f"The file of the layer {item.name()} is missing; repair the layer or choose another."
         )
     path, name = _origin(item)
-    return points_of_features(name, f"the layer {item.name()}", _features(item), item.crs().toWkt(), path)
+    source, wkt = f"the layer {item.name()}", item.crs().toWkt()
+    return points_of_features(name, source, _features(item), wkt, path, settings)
 
 
 def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:

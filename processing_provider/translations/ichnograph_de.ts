@@ -131,8 +131,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
-        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
-        <translation>Die Koordinaten von %1 sind auf %2 gerundet; mit drei oder mehr Nachkommastellen exportieren.</translation>
+        <source>The coordinates of %1 are multiples of %2; if they were rounded, and do not form a grid, export it with three decimals or more.</source>
+        <translation>Die Koordinaten von %1 sind Vielfache von %2; wenn sie gerundet wurden und kein Raster bilden, mit drei oder mehr Nachkommastellen exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>

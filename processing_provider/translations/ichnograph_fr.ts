@@ -131,8 +131,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
-        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
-        <translation>Les coordonnées de %1 sont arrondies à %2 ; exportez-les avec trois décimales ou plus.</translation>
+        <source>The coordinates of %1 are multiples of %2; if they were rounded, and do not form a grid, export it with three decimals or more.</source>
+        <translation>Les coordonnées de %1 sont des multiples de %2 ; si elles ont été arrondies et ne forment pas une grille, exportez-les avec trois décimales ou plus.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
