@@ -26,6 +26,9 @@ class TextSettings:
     clearer_agreement: float = judged(
         0.1, "Correlations of colours exceed those with intensity by more, or the order remains in doubt."
     )
+    most_classes: int = physical(
+        32, "Classes of LAS without extension, and more than the scans or returns of most clouds."
+    )
 
 
 @dataclass(frozen=True)

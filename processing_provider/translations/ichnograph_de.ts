@@ -578,8 +578,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
-        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
-        <translation>Spalte %1 von %2 hat keinen Namen und zählt die Punkte, nennt eine Zeit oder ist überall gleich; sie wurde weggelassen. Die Spalten in einer ersten Zeile benennen, wie &#x27;x y z intensity&#x27;.</translation>
+        <source>Column %1 of %2 has no name and counts the points or states a time, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>Spalte %1 von %2 hat keinen Namen und zählt die Punkte oder nennt eine Zeit; sie wurde weggelassen. Die Spalten in einer ersten Zeile benennen, wie &#x27;x y z intensity&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>

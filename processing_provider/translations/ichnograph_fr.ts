@@ -578,8 +578,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
-        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
-        <translation>La colonne %1 de %2 n&#x27;a pas de nom et compte les points, donne une heure ou est partout la même ; elle a été laissée de côté. Nommez les colonnes dans une première ligne, comme &#x27;x y z intensity&#x27;.</translation>
+        <source>Column %1 of %2 has no name and counts the points or states a time, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>La colonne %1 de %2 n&#x27;a pas de nom et compte les points ou donne une heure ; elle a été laissée de côté. Nommez les colonnes dans une première ligne, comme &#x27;x y z intensity&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
