@@ -56,7 +56,7 @@ PROJECTED = 1e-3
 """By this part a scale may differ from 1 that is one of a projection, as 0.9996 of UTM, and was applied."""
 
 
-def unapplied_remarks(path: Path, remarks: Iterable[str]) -> tuple[str, ...]:
+def unapplied_remarks(path: Path, remarks: Iterable[str], of_list: bool = False) -> tuple[str, ...]:
     """Return a sentence on each remark that moves the points or names their reference system.
 
     Whether a shift is to be added or was added already is not the same in all programs, so none is applied.
@@ -66,6 +66,8 @@ def unapplied_remarks(path: Path, remarks: Iterable[str]) -> tuple[str, ...]:
     path : Path
     remarks : iterable of str
         Lines of a header, with or without the sign of a remark.
+    of_list : bool
+        Whether the points are those of a list, which transformcloud does not move.
     """
     said = []
     for line in remarks:
@@ -73,9 +75,13 @@ def unapplied_remarks(path: Path, remarks: Iterable[str]) -> tuple[str, ...]:
         upward = _UPWARD.search(remark) or _SHORT_UPWARD.search(remark)
         code = _code(remark)
         if _moves(remark):
+            quoted = remark[:LONGEST]
             said.append(
-                f"The header of {path} says '{remark[:LONGEST]}', which is not applied; move the points by "
-                "it with transformcloud where they need it."
+                f"The header of {path} says '{quoted}', which is not applied; apply it to the coordinates of "
+                "the list where they need it."
+                if of_list
+                else f"The header of {path} says '{quoted}', which is not applied; move the points by it "
+                "with transformcloud where they need it."
             )
         elif upward:
             said.append(
@@ -83,11 +89,16 @@ def unapplied_remarks(path: Path, remarks: Iterable[str]) -> tuple[str, ...]:
                 "rotate the points so that z is."
             )
         elif code:
-            said.append(
-                f"A remark in {path} names EPSG:{code}, which is not read; choose that reference "
-                "system if it is right."
-            )
+            said.append(system_remark(path, code))
     return tuple(dict.fromkeys(said))
+
+
+def system_remark(path: Path, code: str) -> str:
+    """Return the sentence on a reference system in a remark, to be left out if it was chosen anyway."""
+    return (
+        f"A remark in {path} names EPSG:{code}, which is not read; choose that reference system if it is "
+        "right."
+    )
 
 
 def _moves(remark: str) -> bool:

@@ -137,10 +137,12 @@ def settings_of(values: dict[str, Any]) -> "Settings":
 def control_of(values: dict[str, Any]) -> "PointList":
     """Return the control points, with their own reference system, or else the one that the user chose."""
     from ...algorithms.reference_systems import chosen_system, require_metres
+    from ...algorithms.tables.remarks import system_remark
 
     control, chosen = values["CONTROL"], values["CRS"]
     if control.crs is not None or chosen is None:
         return control
     crs = chosen_system(chosen.toWkt(), "CRS")
     require_metres(crs, "CRS")
-    return replace(control, crs=crs)
+    known = system_remark(control.path, str(crs.to_epsg())) if control.path else ""
+    return replace(control, crs=crs, warnings=tuple(text for text in control.warnings if text != known))

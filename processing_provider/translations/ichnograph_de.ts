@@ -1964,8 +1964,8 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
-        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x und y von %1 scheinen vertauscht zu sein, weil x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
+        <source>x and y of %1 seem to be swapped, because, if they are metres, x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x und y von %1 scheinen vertauscht zu sein, weil, wenn sie in Metern sind, x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
@@ -4479,6 +4479,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>Zeile %1 von %2 hat %3 Felder, die Kopfzeile aber benennt %4 Spalten; diese Zeile berichtigen oder, wenn das Trennzeichen ein Komma ist, Dezimalpunkte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; apply it to the coordinates of the list where they need it.</source>
+        <translation>Der Kopf von %1 sagt &#x27;%2&#x27;, was nicht angewendet wird; auf die Koordinaten der Liste anwenden, wenn es nötig ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/remarks.py"/>

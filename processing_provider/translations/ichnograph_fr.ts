@@ -1964,8 +1964,8 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
-        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x et y de %1 semblent permutés, parce que x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
+        <source>x and y of %1 seem to be swapped, because, if they are metres, x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x et y de %1 semblent permutés, parce que, s&#x27;ils sont en mètres, x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
@@ -4479,6 +4479,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>La ligne %1 de %2 a %3 champs, alors que l&#x27;en-tête nomme %4 colonnes ; corrigez cette ligne, ou écrivez des points décimaux si le séparateur est une virgule.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; apply it to the coordinates of the list where they need it.</source>
+        <translation>L&#x27;en-tête de %1 dit &#x27;%2&#x27;, ce qui n&#x27;est pas appliqué ; appliquez-le aux coordonnées de la liste si nécessaire.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/remarks.py"/>

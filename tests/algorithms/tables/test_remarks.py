@@ -119,3 +119,9 @@ def test_a_long_remark_is_quoted_in_part_and_read_as_a_whole():
 
 def test_a_remark_that_is_repeated_is_said_once():
     assert len(unapplied_remarks(PATH, ["offset 1 2 3", "# offset 1 2 3"])) == 1
+
+
+def test_points_of_a_list_are_not_to_be_moved_with_transformcloud():
+    (sentence,) = unapplied_remarks(PATH, ["offset 1 2 3"], of_list=True)
+    assert "apply it to the coordinates of the list" in sentence
+    assert "transformcloud" not in sentence
