@@ -17,12 +17,18 @@ _MOTION = re.compile(
 """What moves points; those after 'alone' do so by a single number, too."""
 
 _OTHERS = re.compile(
-    r"time|zeit|heure|gps|clock|intensit|reflectan|amplitude|colou?r|farb|scan\W?lines?|bytes?", re.IGNORECASE
+    r"(?<!cen)time|zeit|heure|gps|clock|intensit|reflectan|amplitude|colou?r|farb|scan\W?lines?|bytes?",
+    re.IGNORECASE,
 )
 """What else has an offset or a scale."""
 
-_LABELS = re.compile(r"(?<![^\W_])(?:[dt]?[xyzenh]|[cm]?m|met(?:er|re)s?)(?![^\W_])\s*[:=]?", re.IGNORECASE)
-"""Names of axes before numbers, and metres behind them."""
+_LABELS = re.compile(
+    r"(?<![^\W_])(?:[dt]?[xyzenh]|[cm]?m|met(?:er|re)s?|deg|gon)(?![^\W_])\s*[:=]?", re.IGNORECASE
+)
+"""Names of axes before numbers, and units behind them."""
+
+_THOUSANDS = re.compile(r"(?<=\d)(?:['\u2019](?=\d{3})|\.(?=\d{3}(?:\.\d{3})*,\d+(?![\d.,])))")
+"""What divides long numbers, as in 5'812'345.7 or 5.812.345,7."""
 
 _UPWARD = re.compile(
     r"(?<![^\W_])(?:up[ _-]?axis|axis[ _-]?up)\W*[+]?(?P<axis>[xy])(?![^\W_])", re.IGNORECASE
@@ -35,7 +41,7 @@ _SYSTEM_WKT = re.compile(
     r"|BOUNDCRS)\s*\[.*",
     re.IGNORECASE,
 )
-_BRACKETS = re.compile(r"[\[\](){}<>|;_]")
+_BRACKETS = re.compile(r"[\[\](){}<>|;_°]")
 _DIGITS = re.compile(r"[-+.,\d][-+.,\de]*", re.IGNORECASE)
 _NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
 
@@ -114,7 +120,10 @@ def _moves(remark: str) -> bool:
 
 def _last_numbers(text: str) -> list[float]:
     """Return the last numbers of a text; none if they are fewer than three amid words."""
-    words = _BRACKETS.sub(" ", re.sub(r"[:=]", " : ", _LABELS.sub(" ", text))).split()
+    text = _LABELS.sub(" ", _THOUSANDS.sub("", text))
+    if text.count(" / ") > 1:  # A single one is that of a scale.
+        text = text.replace(" / ", " ")
+    words = _BRACKETS.sub(" ", re.sub(r"[:=]", " : ", text)).split()
     ends = words and re.search(r"\d", words[-1])
     while words and not re.search(r"\d", words[-1]):
         words.pop()
