@@ -27,8 +27,9 @@ UNDEFINED = "Undefined geographic SRS"
 """The system of a GeoPackage that was written without one."""
 
 FARTHEST_EAST_M, NEAREST_NORTH_M = 3_000_000.0, 1_000_000.0
-"""No usual system has larger eastings where its northings are smaller: those of UTM are below 1000 km, and
-where they begin with the number of a zone, northings are larger."""
+"""No usual system in metres has larger eastings where its northings are smaller: those of UTM are below
+1000 km, and where they begin with the number of a zone, northings are larger. Some systems in feet have, as
+that of the south of Louisiana."""
 
 MOST_STRETCHED = 0.01
 """By this part lengths may differ from those on the ground: 10 cm over 10 m, a pixel of a plan. Systems for
@@ -204,8 +205,9 @@ def _seem_swapped(x: float, y: float, owner: str) -> tuple[str, ...]:
     if x < FARTHEST_EAST_M or not 0 <= y < NEAREST_NORTH_M:
         return ()
     return (
-        f"x and y of {owner} seem to be swapped, because x is a northing of {x / 1000:.0f} km and y an "
-        f"easting of {y / 1000:.0f} km; the plan would be mirrored, so write easting before northing.",
+        f"x and y of {owner} seem to be swapped, because, if they are metres, x is a northing of "
+        f"{x / 1000:.0f} km and y an easting of {y / 1000:.0f} km; the plan would be mirrored, so write "
+        "easting before northing.",
     )
 
 

@@ -68,7 +68,7 @@ class Catalogue:
 
     def _filled(self, text: str, depth: int) -> Iterator[Translation]:
         """Yield translations by the patterns that fit the whole text."""
-        for word in {*WORD.findall(text)}:
+        for word in dict.fromkeys(WORD.findall(text)):
             for pattern in map(_pattern, self._patterns.get(word, ())):
                 match = pattern.regex.fullmatch(text)
                 if match:
@@ -79,7 +79,8 @@ class Catalogue:
 
     def _divided(self, text: str, depth: int) -> Iterator[Translation]:
         """Yield translations of the text in parts."""
-        for inner in {edges.sub("", text) for edges in EDGES} - {text}:
+        inners = dict.fromkeys(edges.sub("", text) for edges in EDGES)
+        for inner in (found for found in inners if found != text):
             before, _, after = text.partition(inner)
             found = self._cached(inner, depth)
             yield Translation(before + found.text + after, found.known)

@@ -11,6 +11,7 @@ from rasterio.crs import CRS
 from ..errors import InputError
 from ..progress import Progress
 from ..reference_systems import horizontal, is_local, name_of, position_warning, require_metres
+from ..tables.remarks import system_remark
 from .formats import format_of, readable_formats
 from .settings import ReadingSettings
 from .source import Chunk, Source, unreadable
@@ -103,13 +104,19 @@ def open_cloud(
     """
     sources = open_sources(paths, settings)
     common, warnings = _common_crs(sources, crs)
+    code = common.to_epsg() if common else None
     middle = sources[0].middle
     return Cloud(
         sources=sources,
         origin=np.array([*(np.floor(middle[:2] / 100) * 100), 0.0]),
         crs=common,
         warnings=(
-            *(sentence for source in sources for sentence in source.warnings),
+            *(
+                sentence
+                for source in sources
+                for sentence in source.warnings
+                if sentence != system_remark(source.path, str(code))
+            ),
             *warnings,
             *_misplaced(sources, common),
         ),

@@ -26,6 +26,9 @@ class TextSettings:
     clearer_agreement: float = judged(
         0.1, "Correlations of colours exceed those with intensity by more, or the order remains in doubt."
     )
+    most_classes: int = physical(
+        32, "Classes of LAS without extension, and more than the scans or returns of most clouds."
+    )
 
 
 @dataclass(frozen=True)
@@ -48,6 +51,15 @@ class PrecisionSettings:
         10, "The chance that as many points of full precision lie near steps is below one in a million."
     )
     fewest_rounded: int = judged(100, "Fewer points are an example rather than a scan.")
+    fewest_steps: int = statistical(
+        10, "Different values of rounded coordinates; fewer are slices, which are cut at round numbers."
+    )
+    largest_local_m: float = judged(
+        10_000.0, "Local coordinates are smaller; few different ones of larger systems were rounded."
+    )
+    least_lost_share: float = judged(
+        1e-3, "Fewer points at the origin are strays, of which any scan has some."
+    )
     fewest_whole: int = statistical(
         3, "Nine coordinates; all are whole by chance once in 10^27, at millimetres."
     )

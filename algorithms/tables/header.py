@@ -15,6 +15,10 @@ COORDINATES = ("x", "y", "z")
 LENGTHS = (*COORDINATES, "sx", "sy", "sz")
 """The roles that have units: coordinates and their standard deviations."""
 
+BESIDE_OTHERS = frozenset(("e", "n", "points:0", "points:1", "cartesianx", "cartesiany"))
+"""Names that are no second coordinates beside others: single letters are often numbers or errors, and the
+positions of ParaView and earth-centred ones accompany those that are meant."""
+
 
 @dataclass(frozen=True)
 class Header:
@@ -181,8 +185,11 @@ def refuse_double_names(
 
 def _refuse_two_systems(path: Path, fields: list[str], roles: Roles) -> None:
     """Refuse two names of one horizontal coordinate; a second height may be that of a target."""
+    keys = [simplified(field) for field in fields]
+    letters = {"e", "n"} if {"e", "n", "h"} <= set(keys) else set()
+    ignored = BESIDE_OTHERS - letters
     for role in COORDINATES[:2]:
-        names = [field for field in fields if simplified(field) in roles[role]]
+        names = [field for field, key in zip(fields, keys) if key in roles[role] and key not in ignored]
         if len(names) > 1:
             raise InputError(
                 f"{path} has {names[0]} and {names[1]} for one coordinate; rename what is not wanted."

@@ -56,6 +56,7 @@ _WHAT = (
     r"|lengths?|dimensions?|l[äa]ngen|ma(?:ß|ss)e|mesures|misure|medidas|data|daten)"
 )
 _WRITTEN = r"(?:exports?|export(?:ed|iert|[ée]e?s?)|esportat[oaie]|exportad[oa]s?|files?|clouds?|scans?)"
+_ARE = r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*"
 _OF_ALL = rf"(?:{_WHAT}|linear|distances?|measurements?|files?|exports?|models?|clouds?|scans?|global)"
 _REMARKS = (
     re.compile(
@@ -66,8 +67,9 @@ _REMARKS = (
     ),
     re.compile(rf"\W*(?:the\s+)?{_UNIT}\s+(\S+?)\W*"),
     re.compile(
-        rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?(?:{_WHAT}|{_WRITTEN})?"
-        r"(?:\s+(?:are|is|sind|sont|sono|son|given|angegeben))*\s*(?:\b(?:in|en)\s|[:=(\[])\s*(\w+)\W*"
+        # A file or a scan may be called M, but is not written in it.
+        rf"\W*(?:(?:all|alle|toutes?|tutte|todas)\s+)?(?:(?:the|les|le|las)\s+)?"
+        rf"(?:(?:{_WHAT})?{_ARE}\s*(?:\b(?:in|en)\s|[:=(\[])|{_WRITTEN}{_ARE}\s+(?:in|en)\s)\s*(\w+)\W*"
     ),
     re.compile(
         r"\W*(?:(?:us|u\.s\.?|survey|international|intl)[\s-]+)*"

@@ -1,5 +1,6 @@
 """The algorithm `simulateregistration`."""
 
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -90,7 +91,7 @@ class SimulateRegistrationAlgorithm(Algorithm):
         "tls",
     )
     needs = FOR_LAYERS
-    inputs = (CONTROL, TARGETS_PER_SCAN, SIGMA, SCALE_PPM, TRIALS, SEED, MODEL, REACH)
+    inputs = (replace(CONTROL, planned=True), TARGETS_PER_SCAN, SIGMA, SCALE_PPM, TRIALS, SEED, MODEL, REACH)
     destinations = (
         TableDestination(
             "TABLE",

@@ -2,6 +2,7 @@
 
 # ruff: noqa: D102 - what overrides a method or property is described where that is.
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -53,9 +54,16 @@ class PointListFile(Parameter):
 
     Its definition asks for a vector layer, because then the dialog offers the layers of the project and a
     file chooser, which accepts text files too. Without a list, it is None if it is optional.
+
+    Attributes
+    ----------
+    optional : bool
+    planned : bool
+        Whether points may be planned rather than surveyed, and so at whole metres.
     """
 
     optional: bool = False
+    planned: bool = False
 
     def _definition(self) -> PointListDefinition:
         definition = PointListDefinition(self.name, self.description, LIST_FILTER)
@@ -71,7 +79,7 @@ class PointListFile(Parameter):
             raise InputError(f"{self.name} is empty; choose a text file or a layer of points.")
         if len(items) > 1:
             raise InputError(f"{self.name} takes one list of points, not {len(items)}; choose one.")
-        return _read(items[0])
+        return _read(items[0], self.planned)
 
     def sources(self, value: "Optional[PointList]") -> list[str]:
         return [str(value.path)] if value and value.path else []
@@ -147,12 +155,14 @@ def _layer_or_path(text: str, context: QgsProcessingContext) -> Item:
     return layer or text
 
 
-def _read(item: Item) -> "PointList":
+def _read(item: Item, planned: bool = False) -> "PointList":
     from ...algorithms.registration.lists.point_list import points_of_features, read_point_list
+    from ...algorithms.registration.lists.settings import ListSettings
 
+    settings = ListSettings(coarsest_step_m=math.inf) if planned else ListSettings()
     if isinstance(item, str):
         file, _, layer = item.partition("|layername=")
-        return read_point_list(file, layer or None)
+        return read_point_list(file, layer or None, settings)
     if not isinstance(item, QgsVectorLayer) or item.geometryType() != QgsWkbTypes.GeometryType.PointGeometry:
         raise InputError(f"{item.name()} is not a layer of points; choose another.")
     if not item.isValid():
@@ -160,7 +170,8 @@ def _read(item: Item) -> "PointList":
             f"The file of the layer {item.name()} is missing; repair the layer or choose another."
         )
     path, name = _origin(item)
-    return points_of_features(name, f"the layer {item.name()}", _features(item), item.crs().toWkt(), path)
+    source, wkt = f"the layer {item.name()}", item.crs().toWkt()
+    return points_of_features(name, source, _features(item), wkt, path, settings)
 
 
 def _origin(layer: QgsVectorLayer) -> tuple[Optional[Path], str]:

@@ -154,6 +154,7 @@ def control_of(values: dict[str, Any]) -> "PointList":
         If there are none, although targets need them, or the reference system cannot be used.
     """
     from ...algorithms.reference_systems import chosen_system, require_metres
+    from ...algorithms.tables.remarks import system_remark
 
     control, chosen = values["CONTROL"], values["CRS"]
     if control is None:
@@ -162,7 +163,8 @@ def control_of(values: dict[str, Any]) -> "PointList":
         return control
     crs = chosen_system(chosen.toWkt(), "CRS")
     require_metres(crs, "CRS")
-    return replace(control, crs=crs)
+    known = system_remark(control.path, str(crs.to_epsg())) if control.path else ""
+    return replace(control, crs=crs, warnings=tuple(text for text in control.warnings if text != known))
 
 
 def _no_control(values: dict[str, Any]) -> "PointList":

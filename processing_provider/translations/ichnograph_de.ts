@@ -211,8 +211,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
-        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
-        <translation>Die Koordinaten von %1 sind auf %2 gerundet; mit drei oder mehr Nachkommastellen exportieren.</translation>
+        <source>The coordinates of %1 are multiples of %2; if they were rounded, and do not form a grid, export it with three decimals or more.</source>
+        <translation>Die Koordinaten von %1 sind Vielfache von %2; wenn sie gerundet wurden und kein Raster bilden, mit drei oder mehr Nachkommastellen exportieren.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
@@ -649,8 +649,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
-        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
-        <translation>Spalte %1 von %2 hat keinen Namen und zählt die Punkte, nennt eine Zeit oder ist überall gleich; sie wurde weggelassen. Die Spalten in einer ersten Zeile benennen, wie &#x27;x y z intensity&#x27;.</translation>
+        <source>Column %1 of %2 has no name and counts the points or states a time, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>Spalte %1 von %2 hat keinen Namen und zählt die Punkte oder nennt eine Zeit; sie wurde weggelassen. Die Spalten in einer ersten Zeile benennen, wie &#x27;x y z intensity&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
@@ -2037,8 +2037,8 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
-        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x und y von %1 scheinen vertauscht zu sein, weil x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
+        <source>x and y of %1 seem to be swapped, because, if they are metres, x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x und y von %1 scheinen vertauscht zu sein, weil, wenn sie in Metern sind, x ein Hochwert von %2 km und y ein Rechtswert von %3 km ist; der Plan wäre gespiegelt, deshalb den Rechtswert vor den Hochwert schreiben.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
@@ -4653,6 +4653,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>Zeile %1 von %2 hat %3 Felder, die Kopfzeile aber benennt %4 Spalten; diese Zeile berichtigen oder, wenn das Trennzeichen ein Komma ist, Dezimalpunkte schreiben.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; apply it to the coordinates of the list where they need it.</source>
+        <translation>Der Kopf von %1 sagt &#x27;%2&#x27;, was nicht angewendet wird; auf die Koordinaten der Liste anwenden, wenn es nötig ist.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/remarks.py"/>

@@ -211,8 +211,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
-        <source>The coordinates of %1 are rounded to %2; export it with three decimals or more.</source>
-        <translation>Les coordonnées de %1 sont arrondies à %2 ; exportez-les avec trois décimales ou plus.</translation>
+        <source>The coordinates of %1 are multiples of %2; if they were rounded, and do not form a grid, export it with three decimals or more.</source>
+        <translation>Les coordonnées de %1 sont des multiples de %2 ; si elles ont été arrondies et ne forment pas une grille, exportez-les avec trois décimales ou plus.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/coordinate_steps.py"/>
@@ -649,8 +649,8 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
-        <source>Column %1 of %2 has no name and counts the points, states a time or is the same everywhere, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
-        <translation>La colonne %1 de %2 n&#x27;a pas de nom et compte les points, donne une heure ou est partout la même ; elle a été laissée de côté. Nommez les colonnes dans une première ligne, comme &#x27;x y z intensity&#x27;.</translation>
+        <source>Column %1 of %2 has no name and counts the points or states a time, so it was left out; name the columns in a first line, as &#x27;x y z intensity&#x27;.</source>
+        <translation>La colonne %1 de %2 n&#x27;a pas de nom et compte les points ou donne une heure ; elle a été laissée de côté. Nommez les colonnes dans une première ligne, comme &#x27;x y z intensity&#x27;.</translation>
     </message>
     <message>
         <location filename="../../algorithms/clouds/formats/text_columns.py"/>
@@ -2037,8 +2037,8 @@
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
-        <source>x and y of %1 seem to be swapped, because x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
-        <translation>x et y de %1 semblent permutés, parce que x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
+        <source>x and y of %1 seem to be swapped, because, if they are metres, x is a northing of %2 km and y an easting of %3 km; the plan would be mirrored, so write easting before northing.</source>
+        <translation>x et y de %1 semblent permutés, parce que, s&#x27;ils sont en mètres, x est une ordonnée nord de %2 km et y une abscisse est de %3 km ; le plan serait en miroir, écrivez donc l&#x27;abscisse est avant l&#x27;ordonnée nord.</translation>
     </message>
     <message>
         <location filename="../../algorithms/reference_systems.py"/>
@@ -4653,6 +4653,11 @@
         <location filename="../../algorithms/tables/named_table.py"/>
         <source>Line %1 of %2 has %3 fields where the header names %4 columns; correct that line, or write decimal points if the separator is a comma.</source>
         <translation>La ligne %1 de %2 a %3 champs, alors que l&#x27;en-tête nomme %4 colonnes ; corrigez cette ligne, ou écrivez des points décimaux si le séparateur est une virgule.</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/tables/remarks.py"/>
+        <source>The header of %1 says &#x27;%2&#x27;, which is not applied; apply it to the coordinates of the list where they need it.</source>
+        <translation>L&#x27;en-tête de %1 dit &#x27;%2&#x27;, ce qui n&#x27;est pas appliqué ; appliquez-le aux coordonnées de la liste si nécessaire.</translation>
     </message>
     <message>
         <location filename="../../algorithms/tables/remarks.py"/>

@@ -213,7 +213,7 @@ def test_local_coordinates_beside_a_small_country_are_elsewhere():
 def test_a_northing_of_utm_before_its_easting_is_said_without_a_system_too():
     north, east = 5_812_345.0, 412_345.0
     (sentence,) = position_warning(None, np.array([north, east]), "a.xyz")
-    assert "x is a northing of 5812 km and y an easting of 412 km" in sentence
+    assert "if they are metres, x is a northing of 5812 km and y an easting of 412 km" in sentence
     for x, y in ((east, north), (4_500_000.0, north), (2_600_000.0, 1_200_000.0), (10.0, 20.0), (5e6, 2e6)):
         assert position_warning(None, np.array([x, y]), "a.xyz") == ()
 

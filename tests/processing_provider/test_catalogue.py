@@ -76,3 +76,10 @@ def test_patterns_within_patterns_end_in_any_text():
 @pytest.mark.parametrize("text", ["", "12.5", "/data/too few.laz", "Something else entirely.", "100 %1"])
 def test_a_text_without_a_pattern_remains_as_it_is(text):
     assert CATALOGUE.translate(text) == text
+
+
+def test_of_equal_patterns_that_of_the_first_word_is_taken():
+    pairs = [(f"ahead{letter}", f"behind{letter}") for letter in "abcdefghijkl"]
+    for first, last in pairs:
+        catalogue = Catalogue({f"{first} %1": "%1, first", f"%1 {last}x": "%1, last"})
+        assert catalogue.translate(f"{first} 7 {last}x") == "7, last, first"

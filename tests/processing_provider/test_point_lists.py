@@ -246,3 +246,15 @@ def test_the_dialog_takes_every_kind_of_file(plugin):
         assert "All files (*" in definition.createFileFilter()
         assert definition.checkValueIsAcceptable("control.txt")
         assert definition.help() == "Help."
+
+
+@pytest.mark.parametrize(("chosen", "said"), [(UTM, False), ("EPSG:25832", True), (None, True)])
+def test_a_system_in_a_remark_is_said_unless_it_is_the_chosen_one(read, tmp_path, chosen, said):
+    from ichnograph.processing_provider.parameters.registration import control_of
+    from qgis.core import QgsCoordinateReferenceSystem
+
+    path = tmp_path / "control.txt"
+    path.write_text(f"# {UTM}\nT1 1.5 2.5 3.5\nT2 4.5 5.5 6.5\n")
+    crs = QgsCoordinateReferenceSystem(chosen) if chosen else None
+    control = control_of({"CONTROL": read(str(path)), "CRS": crs})
+    assert any("names EPSG:25833" in warning for warning in control.warnings) == said

@@ -85,3 +85,18 @@ def test_what_makes_no_sense_is_refused_in_a_sentence(run, control, tmp_path, pa
     with pytest.raises(QgsProcessingException) as caught:
         run("simulateregistration", **{"CONTROL": control, "TABLE": None, "REPORT": None, **parameters})
     assert sentence in str(caught.value)
+
+
+def test_planned_points_at_whole_metres_are_not_said_to_be_rounded(run, tmp_path, feedback):
+    rows = [f"P{n} {412300 + n * n % 37} {5812300 + 5 * n} {70 + n % 3}" for n in range(12)]
+    (tmp_path / "planned.txt").write_text("\n".join(rows), encoding="utf-8")
+    run(
+        "simulateregistration",
+        feedback,
+        CONTROL=str(tmp_path / "planned.txt"),
+        TRIALS=1,
+        TABLE=None,
+        REPORT=None,
+    )
+
+    assert not any("multiples of" in warning for warning in feedback.warnings)

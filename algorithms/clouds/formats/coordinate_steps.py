@@ -67,16 +67,25 @@ def rounding_warning(
     known = xyz[np.isfinite(xyz).all(axis=1)]
     if len(known) < settings.fewest_rounded:
         return ()
-    steps = [_decimal_step(column) * unit for column, unit in zip(known.T, metres)]
+    steps = [
+        0.0 if _are_slices(column * unit, settings) else _decimal_step(column) * unit
+        for column, unit in zip(known.T, metres)
+    ]
     coarse = [
         f"{step:g} m in {axis}" for axis, step in zip("xyz", steps) if step >= settings.coarsest_scale_m
     ]
     if not coarse:
         return ()
     return (
-        f"The coordinates of {path} are rounded to {', '.join(coarse)}; export it with three decimals or "
-        "more.",
+        f"The coordinates of {path} are multiples of {', '.join(coarse)}; if they were rounded, and do not "
+        "form a grid, export it with three decimals or more.",
     )
+
+
+def _are_slices(values: np.ndarray, settings: PrecisionSettings) -> bool:
+    """Whether coordinates (m) are few near the origin; few national ones are rounded, as in 5.8123E+06."""
+    few = len(np.unique(values)) < settings.fewest_steps
+    return few and bool(np.abs(values).max() < settings.largest_local_m)
 
 
 def _decimal_step(values: np.ndarray) -> float:
@@ -96,7 +105,7 @@ def _zero_warning(
 ) -> tuple[str, ...]:
     """Return a sentence on points at 0, 0, 0, where a scanner stands but measures nothing."""
     lost = np.all(xyz == 0, axis=1)
-    if lost.sum() < settings.fewest_points or lost.all():
+    if lost.sum() < settings.fewest_points or lost.mean() < settings.least_lost_share or lost.all():
         return ()
     return (
         f"{lost.mean():.1%} of the points of {path} are at 0, 0, 0, where programs put what was not "
@@ -124,12 +133,10 @@ def coordinate_warnings(
     unit_stated: bool = False,
 ) -> tuple[str, ...]:
     """Return all sentences on the coordinates of a cloud; see `step_warning` and `unit_warning`."""
-    coarse = (
-        step_warning(path, xyz, metres)
-        or unit_warning(path, xyz, unit_stated)
-        or rounding_warning(path, xyz, metres)
-    )
-    return (*(coarse or height_warning(path, xyz[:, 2] * metres[2])), *_zero_warning(path, xyz))
+    units = unit_warning(path, xyz, unit_stated) or height_warning(path, xyz[:, 2] * metres[2])
+    # Of other units, other steps would be too coarse.
+    steps = step_warning(path, xyz, metres) or (() if units else rounding_warning(path, xyz, metres))
+    return (*steps, *units, *_zero_warning(path, xyz))
 
 
 def _step(values: np.ndarray, settings: PrecisionSettings) -> float:

@@ -101,6 +101,7 @@ def columns_by_count(
     counting = _counting(values, elsewhere, extra)
     extra = [column for column in extra if column != counting]
     values = values if elsewhere is None else np.concatenate([values, elsewhere])
+    constant = counting is not None and np.ptp(values[:, counting]) == 0
     normals = _normals(values, extra, settings.unit_length)
     extra = [column for column in extra if column not in (normals or ())]
     rgb = _colour(values, extra, path.suffix.lower() == ".pts", settings)
@@ -108,10 +109,11 @@ def columns_by_count(
     intensity = others[0] if len(others) == 1 and len(extra) in (1, 4) else None
     if counting is not None:
         left_out = (
-            f"Column {counting + 1} of {path} has no name and counts the points, states a time or is the "
-            "same everywhere, so it was left out; name the columns in a first line, as 'x y z intensity'."
+            f"Column {counting + 1} of {path} has no name and counts the points or states a time, so it was "
+            "left out; name the columns in a first line, as 'x y z intensity'."
         )
-        return Columns(xyz, None, rgb, normals), (left_out,)
+        # A column that is the same everywhere, as intensity that was not exported, says nothing.
+        return Columns(xyz, None, rgb, normals), () if constant else (left_out,)
     if len(extra) == 4 and rgb is None and _colour_at(values, extra):
         doubt = (
             f"The last four columns of {path} can be intensity and colour or colour and intensity, so both "

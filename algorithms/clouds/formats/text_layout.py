@@ -1,6 +1,7 @@
 """The layout of a text cloud, found from its first lines."""
 
 import io
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
@@ -26,6 +27,9 @@ from ..settings import TextSettings
 from .line_samples import sample_lines
 from .normals import unnamed_normals
 from .text_columns import Columns, columns_by_count, columns_by_name
+
+_OF_MODEL = re.compile(r"(?:vn|vt)\s|f(?:\s+-?\d+(?:/-?\d*)*){3,}\s*$")
+"""Normals, textures and faces of an OBJ."""
 
 
 @dataclass(frozen=True)
@@ -76,16 +80,17 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     delimiter, width = delimiter_and_width(path, lines)
     numbers = [index for index, line in enumerate(lines) if is_row(line, delimiter, width)]
     rows = [split(lines[index], delimiter) for index in numbers]
-    _refuse_models(path, lines[0], {row[0] for row in rows})
     ends_empty = not any(row[-1] for row in rows)
     header = read_preamble(path, lines[: numbers[0]], delimiter, width, ends_with_delimiter=ends_empty)
     signs = decimal_signs(path, rows, delimiter, bool(header.columns))
     dialect = Dialect(delimiter, signs[0], width, signs[1])
     values = np.array([[dialect.number(field) for field in row] for row in rows])
+    runs = [] if header.columns else list(sample_lines(path, encoding, settings=settings))
+    _refuse_models(path, lines, rows[0][0], runs)
     columns, warnings = (
         (columns_by_name(header.columns), ())
         if header.columns
-        else columns_by_count(path, rows, values, settings, _elsewhere(path, encoding, dialect, settings))
+        else _unnamed_columns(path, rows, values, _elsewhere(runs, dialect, settings), settings)
     )
     metres = header.factors(path)
     marked = _marked_rows(lines, columns, dialect)
@@ -100,7 +105,6 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
         middle=_middle(path, values[:, columns.xyz]) * metres,
         warnings=(
             *warnings,
-            *_assumed_intensity(path, columns, bool(header.columns)),
             *unapplied_remarks(path, lines[: numbers[0]]),
             *_unnamed_normals(path, values, columns),
             *_converted(path, header.units),
@@ -115,23 +119,33 @@ def read_layout(path: Path, settings: TextSettings = TextSettings()) -> Layout:
     )
 
 
-def _refuse_models(path: Path, first: str, marks: set[str]) -> None:
+def _refuse_models(path: Path, lines: list[str], mark: str, runs: list[list[str]]) -> None:
     """Refuse models of surfaces, whose normals and triangles would be taken for points.
+
+    Parameters
+    ----------
+    path : Path
+    lines : list of str
+        The first lines.
+    mark : str
+        What the first row begins with.
+    runs : list of list of str
+        Lines from all over the file: of a large model, triangles are far behind.
 
     Raises
     ------
     InputError
     """
-    is_off = first.strip().endswith("OFF") and len(first.split()) == 1
-    is_obj = "v" in marks and not marks.isdisjoint(("vn", "vt", "f"))
+    is_off = lines[0].strip().endswith("OFF") and len(lines[0].split()) == 1
+    is_obj = mark == "v" and any(_OF_MODEL.match(line) for run in (lines, *runs) for line in run)
     if is_off or is_obj:
         raise InputError(f"{path} is a model of surfaces, not a point cloud; export its points as x y z.")
 
 
-def _elsewhere(path: Path, encoding: str, dialect: Dialect, settings: TextSettings) -> np.ndarray:
+def _elsewhere(runs: list[list[str]], dialect: Dialect, settings: TextSettings) -> np.ndarray:
     """Return the numbers of rows from all over the file, shape (n, columns)."""
     found = [np.empty((0, dialect.width))]
-    for lines in sample_lines(path, encoding, settings=settings):
+    for lines in runs:
         few = lines[:: max(len(lines) // settings.rows_of_run, 1)]
         rows = [dialect.split(line) for line in few if is_row(line, dialect.delimiter, dialect.width)]
         if rows:
@@ -159,9 +173,28 @@ def _taken(path: Path, marked: list[int]) -> tuple[str, ...]:
     )
 
 
-def _assumed_intensity(path: Path, columns: Columns, named: bool) -> tuple[str, ...]:
-    """Return a sentence on intensity that is recognised by its position; that of a PTS has its own."""
-    if named or columns.intensity is None or path.suffix.lower() == ".pts":
+def _unnamed_columns(
+    path: Path, rows: list[list[str]], values: np.ndarray, elsewhere: np.ndarray, settings: TextSettings
+) -> tuple[Columns, tuple[str, ...]]:
+    columns, warnings = columns_by_count(path, rows, values, settings, elsewhere)
+    doubt = _assumed_intensity(path, columns, np.concatenate([values, elsewhere]), settings)
+    return columns, (*warnings, *doubt)
+
+
+def _assumed_intensity(
+    path: Path, columns: Columns, values: np.ndarray, settings: TextSettings
+) -> tuple[str, ...]:
+    """Return a sentence on a column without a name that was read as intensity but may be something else.
+
+    Intensity is a part of 1, or whole with many levels; classes have few, distances and deviations decimals.
+    That of a PTS has a position of its own.
+    """
+    if columns.intensity is None or path.suffix.lower() == ".pts":
+        return ()
+    known = values[np.isfinite(values[:, columns.intensity]), columns.intensity]
+    is_part = known.min(initial=0) >= 0 and known.max(initial=0) <= 1 and np.any(known % 1)
+    has_levels = not np.any(known % 1) and len(np.unique(known)) > settings.most_classes
+    if is_part or has_levels:
         return ()
     return (
         f"Column {columns.intensity + 1} of {path} has no name and was read as intensity; if it is something "

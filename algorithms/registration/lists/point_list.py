@@ -97,7 +97,7 @@ def read_point_list(
         name = list_name(path, layer) if is_layer else path.stem
     except OSError as error:
         raise unreadable(path, error) from error
-    return _point_list(name, rows, path)
+    return _point_list(name, rows, path, settings)
 
 
 def is_cloud(path: Union[str, Path], settings: ListSettings = ListSettings()) -> bool:
@@ -117,7 +117,12 @@ def is_cloud(path: Union[str, Path], settings: ListSettings = ListSettings()) ->
 
 
 def points_of_features(
-    name: str, source: str, features: Iterable[Feature], wkt: str, path: Optional[Path] = None
+    name: str,
+    source: str,
+    features: Iterable[Feature],
+    wkt: str,
+    path: Optional[Path] = None,
+    settings: ListSettings = ListSettings(),
 ) -> PointList:
     """Make a list of the features of a layer that a program has open.
 
@@ -134,16 +139,17 @@ def points_of_features(
         The coordinate reference system; empty if unknown.
     path : Path, optional
         The file of the layer.
+    settings : ListSettings
 
     Raises
     ------
     InputError
         As `read_point_list`.
     """
-    return _point_list(name, read_features(source, features, wkt), path)
+    return _point_list(name, read_features(source, features, wkt, settings), path, settings)
 
 
-def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
+def _point_list(name: str, rows: Rows, path: Optional[Path], settings: ListSettings) -> PointList:
     kept, merged = _distinct(rows)
     names = tuple(str(row) for row in range(1, len(rows.xyz) + 1)) if rows.names is None else rows.names
     return PointList(
@@ -158,7 +164,7 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
             *step_warning(Path(rows.source), rows.xyz),
             *(
                 unit_warning(Path(rows.source), rows.xyz, rows.unit_stated)
-                or (() if rows.unit_stated else _rounded(Path(rows.source), rows.xyz))
+                or (() if rows.unit_stated else _rounded(Path(rows.source), rows.xyz[:, :2], settings))
             ),
             *_unknown_heights(rows.source, [names[row] for row in kept], rows.xyz[kept, 2]),
         ),
@@ -169,14 +175,20 @@ def _point_list(name: str, rows: Rows, path: Optional[Path]) -> PointList:
     )
 
 
-def _rounded(source: Path, xyz: np.ndarray, settings: ListSettings = ListSettings()) -> tuple[str, ...]:
-    """Return a sentence on national coordinates without decimals, as a spreadsheet writes 5.81E+06."""
-    if np.abs(xyz[:, :2]).max() < settings.largest_local_m:
+def _rounded(source: Path, xy: np.ndarray, settings: ListSettings) -> tuple[str, ...]:
+    """Return a sentence on national coordinates without decimals, as a spreadsheet writes 5.81E+06.
+
+    Heights alone are often known to the metre only, and one coordinate may be whole by chance.
+    """
+    steps = xy / settings.coarsest_step_m
+    if np.abs(xy).max() < settings.largest_local_m or not np.allclose(steps, np.rint(steps), 0, 1e-6):
         return ()
     coarse = PrecisionSettings(
-        fewest_rounded=settings.fewest_rounded, coarsest_scale_m=settings.coarsest_step_m
+        fewest_rounded=settings.fewest_rounded,
+        fewest_steps=settings.fewest_rounded,
+        coarsest_scale_m=settings.coarsest_step_m,
     )
-    return rounding_warning(source, xyz, settings=coarse)
+    return rounding_warning(source, xy, settings=coarse)
 
 
 def _unknown_heights(source: str, names: list[str], heights: np.ndarray) -> tuple[str, ...]:

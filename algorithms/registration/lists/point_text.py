@@ -103,7 +103,7 @@ def read_text(path: Path, settings: ListSettings = ListSettings()) -> Rows:
         covariances=covariances,
         warnings=(
             *_converted(path, header),
-            *unapplied_remarks(path, lines[:first]),
+            *unapplied_remarks(path, lines[:first], of_list=True),
             *doubts,
             *_warnings(path, rows.values(), columns),
             *_without_heights(path, xyz[:, 2]),

@@ -210,3 +210,12 @@ def test_scans_that_are_not_registered_may_have_different_systems_or_none(tmp_pa
 
     assert [source.path.name for source in scans.sources] == ["a.las", "b.las", "c.xyz"]
     assert scans.crs is None and not scans.origin.any() and scans.warnings == ()
+
+
+def test_a_reference_system_in_a_remark_is_said_unless_it_is_the_chosen_one(tmp_path):
+    path = tmp_path / "a.xyz"
+    path.write_text("# EPSG:25833\n412345.678 5812345.123 71.251\n412346.114 5812347.871 72.333\n")
+    said = f"A remark in {path} names EPSG:25833"
+    for code, known in ((25833, True), (25832, False), (None, False)):
+        warnings = open_cloud([path], CRS.from_epsg(code) if code else None).warnings
+        assert any(warning.startswith(said) for warning in warnings) != known

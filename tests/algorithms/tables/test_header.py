@@ -127,3 +127,26 @@ def test_two_pairs_of_horizontal_coordinates_are_asked_for():
     with pytest.raises(InputError, match="has Y/North and Y for one coordinate; rename"):
         read_preamble(Path("list.csv"), [accuracies], ",", 7)
     assert read_preamble(Path("list.csv"), ["X;Y;Z;Height\n"], ";", 4).columns["z"] == 2
+
+
+@pytest.mark.parametrize("names", ["E;N;H;X;Y;Z", "X;Y;Z;N;E;H"])
+def test_letters_that_name_all_three_coordinates_are_a_second_system(names):
+    with pytest.raises(InputError, match="for one coordinate; rename"):
+        read_preamble(Path("list.csv"), [names], ";", 6)
+
+
+@pytest.mark.parametrize(
+    ("names", "columns"),
+    [
+        ("N;X;Y;Z", (1, 2, 3)),
+        ("X;Y;Z;N", (0, 1, 2)),
+        ("x;y;z;n;e", (0, 1, 2)),
+        ("X;Y;Z;Points:0;Points:1;Points:2", (0, 1, 2)),
+        ("Point ID;Easting;Northing;Height;Cartesian X;Cartesian Y;Cartesian Z", (1, 2, 3)),
+        ("E;N;H", (0, 1, 2)),
+        ("Points:0;Points:1;Points:2", (0, 1, 2)),
+    ],
+)
+def test_numbers_errors_and_accompanying_positions_are_no_second_system(names, columns):
+    found = read_preamble(Path("list.csv"), [names], ";", names.count(";") + 1).columns
+    assert (found["x"], found["y"], found["z"]) == columns

@@ -78,6 +78,9 @@ def test_a_name_without_its_unit_is_the_name():
         ("# Unit 3, room in the west wing", None),
         ("# unit: Trimble S7 in hall", None),
         ("# Coordinates and unit vectors, in metres", None),
+        ("# Scan: M", None),
+        ("# File = M", None),
+        ("# scans are given in mm", "mm"),
         ("# Scanner unit: FARO, room 12 cm thick", None),
     ],
 )

@@ -73,7 +73,8 @@ def test_a_cloud_higher_than_any_building_may_be_in_millimetres():
 def test_coordinates_that_a_spreadsheet_rounded_are_said(step):
     rounded = np.round((100 * points() + NATIONAL) / step) * step
     (warning,) = rounding_warning(PATH, rounded)
-    assert f"scan.ply are rounded to {step:g} m in x, {step:g} m in y, {step:g} m in z;" in warning
+    said = f"{step:g} m in x, {step:g} m in y, {step:g} m in z"
+    assert f"scan.ply are multiples of {said}; if they were rounded" in warning
 
 
 def test_millimetres_and_equal_heights_are_not_rounded():
@@ -87,3 +88,37 @@ def test_points_at_zero_are_said_where_others_are_elsewhere():
     lost[:30] = 0
     assert "10.0% of the points of scan.ply are at 0, 0, 0" in coordinate_warnings(PATH, lost)[0]
     assert coordinate_warnings(PATH, points()) == ()
+    lost[1:] = points()[1:]
+    assert coordinate_warnings(PATH, lost) == ()
+
+
+def test_few_of_many_points_at_zero_are_strays():
+    many = np.random.default_rng(0).random((20_000, 3))
+    many[:12] = 0
+    assert coordinate_warnings(PATH, many) == ()
+    many[:40] = 0
+    assert "0.2% of the points" in coordinate_warnings(PATH, many)[0]
+
+
+@pytest.mark.parametrize("decimals", [0, 1, 2, 3])
+def test_coordinates_that_may_be_millimetres_are_not_said_to_be_rounded(decimals):
+    (warning,) = coordinate_warnings(PATH, np.round(343 * points(), decimals))
+    assert "millimetres" in warning
+
+
+def test_a_high_cloud_in_single_precision_has_both_faults():
+    single = ((points() * [1, 1, 200]) + NATIONAL).astype(np.float32).astype(float)
+    warnings = coordinate_warnings(PATH, single)
+    assert ["single precision" in warnings[0], "in height" in warnings[1]] == [True, True]
+
+
+def test_slices_at_round_heights_are_not_rounded():
+    slices = points()
+    slices[:, 2] = 1 + np.arange(len(slices)) % 2
+    assert rounding_warning(PATH, slices) == ()
+
+
+def test_few_different_national_coordinates_are_rounded():
+    rounded = points() + NATIONAL
+    rounded[:, 1] = np.where(rounded[:, 2] < 75, 5_812_300.0, 5_812_400.0)
+    assert "multiples of 100 m in y;" in rounding_warning(PATH, rounded)[0]

@@ -260,6 +260,7 @@ def test_a_large_file_is_examined_by_points_from_all_over_it(tmp_path, encoding)
     sample = _sample(path, read_layout(path), few)
 
     assert len(np.unique(sample["x"])) == 40
+    assert set(sample["x"] > 50) == {False, True}
     np.testing.assert_allclose(read(path)[0], xyz, rtol=1e-12)
 
 

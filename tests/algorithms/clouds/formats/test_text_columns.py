@@ -167,7 +167,6 @@ RANDOM = np.random.default_rng(0).integers(0, 256, 60)
         pytest.param(lambda n: f"{n + 1}", id="number of the point"),
         pytest.param(lambda n: f"{300_000 + n / 100}", id="time"),
         pytest.param(lambda n: f"{n // 20}", id="scan"),
-        pytest.param(lambda n: "255", id="opacity"),
     ],
 )
 @pytest.mark.parametrize("colour", ["", "{0} {1} {2} "])
@@ -186,3 +185,12 @@ def test_a_dark_beginning_is_no_reason_to_leave_intensity_out():
     rows = [f"{n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 0".split() for n in range(50)]
     elsewhere = np.column_stack([np.ones((60, 3)), RANDOM])
     assert columns_by_count(SCAN, rows, np.array(rows, float), elsewhere=elsewhere)[0].intensity == 3
+
+
+@pytest.mark.parametrize("value", ["0", "255"])
+@pytest.mark.parametrize("colour", ["", "{0} {1} {2} "])
+def test_a_column_that_is_the_same_everywhere_is_left_out_without_a_word(value, colour):
+    rows = [
+        f"{n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 {colour.format(*RANDOM[n : n + 3])}{value}" for n in range(50)
+    ]
+    assert by_count(*rows) == (Columns((0, 1, 2), None, (3, 4, 5) if colour else None), ())

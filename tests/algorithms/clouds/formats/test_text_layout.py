@@ -77,6 +77,13 @@ def test_what_is_not_a_text_cloud_is_refused(layout, content, problem):
     [
         pytest.param("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\nvn 0.0 0.6 0.8\nvn 0.0 0.6 0.8\n", id="OBJ with normals"),
         pytest.param("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\nv 4 5 6\nf 1 2 3\n", id="OBJ with triangles"),
+        pytest.param("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\nv 4 5 6\nf 1//1 2//2 3//1\n", id="OBJ with indices"),
+        pytest.param(
+            # Triangles behind more than is read at once.
+            "".join(f"v {n}.5 {n % 7}.25 {n % 5}.75\n" for n in range(4000))
+            + "".join(f"f {n} {n + 1} {n + 2}\n" for n in range(1, 4000)),
+            id="large OBJ",
+        ),
         pytest.param("OFF\n3 1 0\n1.5 2.5 3.5\n2.5 3.5 4.5\n3 4 5\n", id="OFF"),
     ],
 )
@@ -87,3 +94,26 @@ def test_a_model_of_surfaces_is_refused(tmp_path, text):
         read_layout(path)
     path.write_text("v 1.5 2.5 3.5\nv 2.5 3.5 4.5\n")
     assert read_layout(path).columns.xyz == (1, 2, 3)
+
+
+def test_points_may_be_called_v_and_f(layout):
+    rows = [f"{'vf'[n % 2]} {n}.5 {n + 1}.25 {n % 7}.75\n" for n in range(6)]
+    assert layout("".join(rows)).columns.xyz == (1, 2, 3)
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        pytest.param(lambda n: f"{n * 37 % 256}", False, id="8 bits"),
+        pytest.param(lambda n: f"{n * 37 % 4096 - 2048}", False, id="11 bits with sign"),
+        pytest.param(lambda n: f"{n * 37 % 101 / 101:.4f}", False, id="part of 1"),
+        pytest.param(lambda n: f"{n * 37 % 8}", True, id="class"),
+        pytest.param(lambda n: f"{n * 37 % 101 / 20:.3f}", True, id="distance"),
+        pytest.param(lambda n: f"{n * 37 % 101 / 101 - 0.5:.4f}", True, id="deviation"),
+    ],
+)
+def test_only_what_may_be_something_else_than_intensity_is_said(layout, value, said):
+    rows = [f"{n * 7 % 11}.25 {n % 5}.5 {n % 3}.75 {value(n)}\n" for n in range(300)]
+    found = layout("".join(rows))
+    assert found.columns.intensity == 3
+    assert any("was read as intensity" in warning for warning in found.warnings) == said

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from ichnograph.algorithms.registration.lists.point_list import is_cloud, read_point_list
+from ichnograph.algorithms.registration.lists.settings import ListSettings
 from ichnograph.tests.algorithms.registration.lists.written_lists import refuse, write
 
 DATA = Path(__file__).resolve().parents[5] / "shared" / "data"
@@ -153,9 +154,25 @@ def test_heights_that_stand_for_unknown_ones_are_said(tmp_path):
         ("A 412345 5812345 70.1\nB 412350 5812340 71.1\n", True),
         ("A 412345.6 5812345 70.1\nB 412350.0 5812340.3 71.1\n", False),
         ("A 10 20 1.5\nB 15 40 2.5\n", False),
+        ("A 412345.678 5812345.123 70\nB 412350.214 5812340.871 72\n", False),
+        ("A 412345 5812345.123 70\nB 412350 5812340.871 72\n", False),
     ],
 )
 def test_national_coordinates_without_decimals_are_said(tmp_path, rows, said):
     (tmp_path / "a.txt").write_text("name x y z\n" + rows)
     warnings = read_point_list(tmp_path / "a.txt").warnings
-    assert any("are rounded to" in sentence for sentence in warnings) == said
+    assert any("are multiples of" in sentence for sentence in warnings) == said
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        ListSettings(largest_local_m=1e9),
+        ListSettings(coarsest_step_m=1000.0),
+        ListSettings(fewest_rounded=3),
+    ],
+)
+def test_the_settings_decide_which_coordinates_were_rounded(tmp_path, settings):
+    path = write(tmp_path, "name x y z\nA 412345 5812345 70.1\nB 412350 5812340 71.1\n")
+    assert "multiples of 1 m in x, 1 m in y;" in read_point_list(path).warnings[0]
+    assert read_point_list(path, settings=settings).warnings == ()
