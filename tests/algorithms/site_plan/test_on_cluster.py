@@ -6,11 +6,11 @@ import numpy as np
 from ichnograph.algorithms.clouds.cloud import open_cloud
 from ichnograph.algorithms.clouds.cluster.sorting import sort_on_cluster
 from ichnograph.algorithms.clouds.settings import ClusterSettings
-from ichnograph.algorithms.progress import Progress
 from ichnograph.algorithms.site_plan.density.density_image import density_image
 from ichnograph.algorithms.site_plan.density.height_range import HeightRange
 from ichnograph.algorithms.site_plan.settings import SitePlanSettings
 from ichnograph.algorithms.site_plan.site_plan import make_site_plan
+from ichnograph.tests.algorithms.clouds.cluster.workers import in_time
 from ichnograph.tests.algorithms.site_plan.house import points_under_ceiling
 from ichnograph.tests.algorithms.site_plan.surfaces import ORIGIN, SHIFT, box
 from ichnograph.tests.algorithms.site_plan.test_site_plan import bytes_of
@@ -47,7 +47,7 @@ def test_an_image_of_a_range_of_heights_is_the_same_bytes_though_a_worker_is_kil
             cluster.kill(killed[0])
 
     sort = partial(sort_on_cluster, cluster.address, settings=SMALL)
-    there = density_image(cloud, heights=heights, progress=Progress(report), sort=sort)
+    there = density_image(cloud, heights=heights, progress=in_time(report), sort=sort)
     assert killed and cluster.count() == 1
     assert bytes_of(there) == bytes_of(density_image(cloud, heights=heights))
     cluster.start()

@@ -13,7 +13,7 @@ from ichnograph.algorithms.clouds.thinning.thinning import thin_cloud
 from ichnograph.algorithms.clouds.tiles.tile_store import sort_here
 from ichnograph.algorithms.errors import CancelledError, InputError
 from ichnograph.algorithms.progress import Progress
-from ichnograph.tests.algorithms.clouds.cluster.workers import until
+from ichnograph.tests.algorithms.clouds.cluster.workers import in_time, until
 from ichnograph.tests.algorithms.clouds.sample_files import las_records, write_las
 
 SMALL = ClusterSettings(run_points=3000, block_tiles=2)
@@ -64,7 +64,7 @@ def test_a_worker_that_is_killed_costs_time_but_changes_nothing(cluster, cloud, 
             cluster.kill(killed[0])
 
     there = thin_cloud(
-        cloud, 0.3, Progress(report), sort=partial(sort_on_cluster, cluster.address, settings=SMALL)
+        cloud, 0.3, in_time(report), sort=partial(sort_on_cluster, cluster.address, settings=SMALL)
     )
     assert killed and cluster.count() == 1
     np.testing.assert_array_equal(there.kept, thin_cloud(cloud, 0.3).kept)

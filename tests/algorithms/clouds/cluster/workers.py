@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from ichnograph.algorithms.clouds.cluster.connection import OLDEST
+from ichnograph.algorithms.progress import Progress
 
 START_S = 120
 """A busy computer imports Dask slowly."""
@@ -93,3 +94,9 @@ def until(happened):
     while not happened():
         assert time.monotonic() < end, "it does not happen"
         time.sleep(0.05)
+
+
+def in_time(report):
+    """Return a progress that cancels what takes too long, so that a test fails and does not hang."""
+    end = time.monotonic() + START_S
+    return Progress(report, lambda: time.monotonic() > end)
