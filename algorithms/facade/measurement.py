@@ -122,8 +122,8 @@ def measure_facade(
 def _facing(frame: Frame, side: Side) -> str:
     number = EAST if frame.azimuth < 180 else WEST
     return (
-        f"The facade faces azimuth {frame.azimuth:.1f} degrees (SIDE={number}, "
-        f"certainty {100 * side.sure:.0f} %), because {side.reason}."
+        f"The facade faces azimuth {frame.azimuth:.1f} degrees, SIDE {number}, with a "
+        f"certainty of {100 * side.sure:.0f} %, because {side.reason}."
     )
 
 

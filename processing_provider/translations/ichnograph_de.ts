@@ -1558,8 +1558,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
-        <source>The facade faces azimuth %1 degrees (SIDE=%2, certainty %3 %), because %4.</source>
-        <translation>Die Fassade zeigt zum Azimut %1 Grad (SIDE=%2, Sicherheit %3 %), denn %4.</translation>
+        <source>The facade faces azimuth %1 degrees, SIDE %2, with a certainty of %3 %, because %4.</source>
+        <translation>Die Fassade zeigt zum Azimut %1 Grad, SIDE %2, mit einer Sicherheit von %3 %, denn %4.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>

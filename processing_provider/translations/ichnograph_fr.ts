@@ -1558,8 +1558,8 @@
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
-        <source>The facade faces azimuth %1 degrees (SIDE=%2, certainty %3 %), because %4.</source>
-        <translation>La façade est orientée à l&#x27;azimut %1 degrés (SIDE=%2, certitude %3 %), car %4.</translation>
+        <source>The facade faces azimuth %1 degrees, SIDE %2, with a certainty of %3 %, because %4.</source>
+        <translation>La façade est orientée à l&#x27;azimut %1 degrés, SIDE %2, avec une certitude de %3 %, car %4.</translation>
     </message>
     <message>
         <location filename="../../algorithms/facade/measurement.py"/>
