@@ -100,7 +100,7 @@ def _filled(
     layer = int(np.bincount(states.nearest[region.box][region.image]).argmax())
     height = region.image.shape[0] * states.grid.size
     use = WINDOW
-    grounded = sides[BELOW] or _ground_below(region, states) <= settings.step_m
+    grounded = sides[BELOW] or _is_grounded(region, states, wall, settings)
     if grounded and height >= settings.lowest_door_m:
         use = DOOR if kind == RECESS else PASSAGE
     named = tuple(name for name, is_open in zip(SIDES, sides) if is_open)
@@ -109,14 +109,19 @@ def _filled(
     return Opening(region, polygon, kind, use, depth, layer, named, inside, bent)
 
 
-def _ground_below(region: Region, states: States) -> float:
-    """Return how far from the ground a region begins (m); infinite where no ground was seen.
+def _is_grounded(region: Region, states: States, wall: np.ndarray, settings: ContentSettings) -> bool:
+    """Whether a region begins at the ground or, where none was seen, at the end of the wall.
 
     The wall below a window may be hidden, or not a part of the cloud, down to any height.
     """
-    _, columns = region.box
+    rows, columns = region.box
     bottom = states.grid.edges(region.box)[1]
-    return float(np.median(np.abs(bottom - states.ground[columns])))
+    away = float(np.median(np.abs(bottom - states.ground[columns])))
+    if np.isfinite(away):
+        return away <= settings.step_m
+    below = float(np.median(wall[: rows.start, columns].sum(axis=0)))
+    # The lowest pixel of a region is mixed.
+    return (below - 1) * states.grid.size <= settings.threshold_m
 
 
 def _bent_sides(

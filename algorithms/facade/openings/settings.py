@@ -124,6 +124,9 @@ class ContentSettings:
     near_m: float = physical(1.0, "Panes, doors and the backs of niches are not deeper in the wall.")
     lowest_door_m: float = physical(1.6, "Doors and passages are not lower.")
     step_m: float = physical(0.2, "Thresholds and steps below a door are not higher.")
+    threshold_m: float = physical(
+        0.05, "Thresholds alone are not higher; where no ground was seen, so little wall is below a door."
+    )
     beside_m: float = judged(0.05, "The wall beside an opening, where a rounded edge has ended.")
     bend: float = judged(
         0.5, "A wall that bends is beside the opening as deep as this part of what is in it."

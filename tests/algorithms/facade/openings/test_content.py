@@ -51,6 +51,12 @@ def test_a_door_may_stand_on_a_step_but_not_on_a_parapet():
     assert opening_of(wall(parapet), pane(parapet, -0.3), ground()).use == A_WINDOW
 
 
+def test_where_no_ground_was_seen_a_door_may_stand_on_a_threshold():
+    door = (1.0, 0.02, 2.2, 2.1)
+    found = opening_of(wall(door), pane(door, -0.3))
+    assert (found.use, found.open_sides) == (DOOR, ())
+
+
 @pytest.mark.parametrize("before", [
     [], [pane((0.9, 0.9, 2.3, 1.0), 0.2)], [pane((0.0, 0.0, 4.0, 0.8), 0.6), ground()], [ground()],
 ], ids=["nothing", "sill", "car", "ground"])  # fmt: skip

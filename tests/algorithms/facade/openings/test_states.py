@@ -69,7 +69,7 @@ def test_a_sill_hides_what_was_seen_behind_it_from_inside_and_a_railing_does_not
 
 
 BOX, SIGN, PIPE = (1.05, 1.2, 1.95, 1.4), (0.8, 1.7, 2.2, 1.9), (1.4, 0.5, 1.6, 3.0)
-SHUTTERS = (0.95, 1.15, 1.17, 2.45), (1.83, 1.15, 2.05, 2.45)
+SHUTTERS = (1.0, 1.2, 1.18, 2.4), (1.82, 1.2, 2.0, 2.4)
 
 
 @pytest.mark.parametrize("strips", [(BOX,), SHUTTERS, (BOX, *SHUTTERS), (PIPE,), (SIGN,)])
