@@ -153,9 +153,14 @@ def _sills(attached: np.ndarray, image: np.ndarray, size: float, limits: StateSe
         max(round(length / size), 2) for length in (limits.bar_m, limits.sill_height_m, limits.sill_gap_m)
     )
     solid = ndimage.binary_opening(attached, np.ones((bar, bar)))
+    # At its ends a sill may be as low as a pixel.
+    solid |= attached & ndimage.binary_dilation(solid, np.ones((1, 3)))
     solid = ndimage.binary_closing(solid, np.ones((bar + 1, gap + 1)))
     strips = solid & ~ndimage.binary_opening(solid, np.ones((highest + 1, 1)))
-    wall = first_seen(~strips & ((image == WALL) | (image == BEHIND)), image == WALL)
+    behind = image == BEHIND
+    # The pixels in the corners between sill and jamb are mixed.
+    behind &= ~(ndimage.binary_dilation(image == WALL) & ndimage.binary_dilation(strips, np.ones((5, 1))))
+    wall = first_seen(~strips & ((image == WALL) | behind), image == WALL)
     beyond_jambs = strips & wall[ABOVE] & wall[BELOW] & (wall[LEFT] | wall[RIGHT])
     held = first_seen(~strips | beyond_jambs, beyond_jambs)
     return strips & wall[BELOW] & held[LEFT] & held[RIGHT]

@@ -68,6 +68,14 @@ def test_a_sill_hides_what_was_seen_behind_it_from_inside_and_a_railing_does_not
     assert all(state_at(states, u, 1.8) == BEHIND for u in np.arange(1.1, 1.95, 0.02))
 
 
+@pytest.mark.parametrize("right", [2.04, 2.08])
+def test_a_sill_may_end_where_its_corner_with_the_jamb_is_chipped(right):
+    hole, chip = (1.0, 1.2, 2.0, 2.4), (1.96, 1.2, right, 1.4)
+    sill = (0.9, 1.2, right, 1.35)
+    states = states_of(wall(hole, chip), pane(hole, -0.3), pane(chip, -0.3), pane(sill, 0.08))
+    assert all(state_at(states, u, 1.27) == FRONT for u in np.arange(1.1, 1.9, 0.05))
+
+
 BOX, SIGN, PIPE = (1.05, 1.2, 1.95, 1.4), (0.8, 1.7, 2.2, 1.9), (1.4, 0.5, 1.6, 3.0)
 SHUTTERS = (1.0, 1.2, 1.18, 2.4), (1.82, 1.2, 2.0, 2.4)
 
