@@ -31,6 +31,11 @@ def with_clouds_alone(lists: "Sequence[PointList]", paths: Sequence[str]) -> "li
 
     names = [points.name for points in lists]
     alone = [path for path in _each_once(paths) if not has_list(names, path)]
+    by_name: dict[str, Path] = {}
+    for path in alone:
+        other = by_name.setdefault(scan_name(path), path)
+        if other is not path:
+            raise InputError(f"{other} and {path} have the same name; rename one of them.")
     return [*lists, *(PointList(scan_name(path), (), np.zeros((0, 3)), named=False) for path in alone)]
 
 

@@ -123,6 +123,11 @@ class RegisterScansAlgorithm(Algorithm):
         scans = []
         if surveyed:
             scans = lists_of(given, settings.named, log, log.progress.part(0.0, searched))
+            if not any(points.names for points in scans):
+                raise InputError(
+                    "No scan has targets, so that CONTROL cannot be used; choose TARGETS, or leave CONTROL "
+                    "empty to join the scans in the frame of the first."
+                )
         surfaces = {}
         if values["REFINE"]:
             scans, progress = with_clouds_alone(scans, clouds), log.progress.part(searched, read)

@@ -126,6 +126,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: Dask has no certificates; state them in its configuration (distributed.comm.tls).</source>
+        <translation>SCHEDULER %1: Dask hat keine Zertifikate; sie in seiner Konfiguration angeben (distributed.comm.tls).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
         <source>SCHEDULER %1: no scheduler answers there within %2 s; check the address, the network, and that it runs (`dask scheduler`).</source>
         <translation>SCHEDULER %1: Dort antwortet binnen %2 s kein Scheduler; die Adresse und das Netz prüfen und ob er läuft (`dask scheduler`).</translation>
     </message>
@@ -5758,6 +5763,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>No scan has targets, so that CONTROL cannot be used; choose TARGETS, or leave CONTROL empty to join the scans in the frame of the first.</source>
+        <translation>Kein Scan hat Zielmarken, daher ist CONTROL nicht verwendbar; TARGETS wählen oder CONTROL leer lassen, um die Scans im System des ersten zu verbinden.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>No scan could be registered. %1</source>
         <translation>Kein Scan konnte registriert werden. %1</translation>
     </message>
@@ -7791,6 +7801,11 @@
         <location filename="../../processing_provider/provider.py"/>
         <source>Ichnograph: laser scans to site plans and elevations</source>
         <translation>Ichnograph: von Laserscans zu Grundrissen und Ansichten</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 and %2 have the same name; rename one of them.</source>
+        <translation>%1 und %2 haben denselben Namen; eine davon umbenennen.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>

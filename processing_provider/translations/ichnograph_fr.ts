@@ -126,6 +126,11 @@
     </message>
     <message>
         <location filename="../../algorithms/clouds/cluster/connection.py"/>
+        <source>SCHEDULER %1: Dask has no certificates; state them in its configuration (distributed.comm.tls).</source>
+        <translation>SCHEDULER %1 : Dask n’a pas de certificats ; indiquez-les dans sa configuration (distributed.comm.tls).</translation>
+    </message>
+    <message>
+        <location filename="../../algorithms/clouds/cluster/connection.py"/>
         <source>SCHEDULER %1: no scheduler answers there within %2 s; check the address, the network, and that it runs (`dask scheduler`).</source>
         <translation>SCHEDULER %1 : aucun ordonnanceur n’y répond en %2 s ; vérifiez l’adresse, le réseau, et qu’il fonctionne (`dask scheduler`).</translation>
     </message>
@@ -5758,6 +5763,11 @@
     </message>
     <message>
         <location filename="../../processing_provider/algorithms/register_scans.py"/>
+        <source>No scan has targets, so that CONTROL cannot be used; choose TARGETS, or leave CONTROL empty to join the scans in the frame of the first.</source>
+        <translation>Aucune station n’a de cibles, si bien que CONTROL est inutilisable ; choisissez TARGETS, ou laissez CONTROL vide pour assembler les stations dans le repère de la première.</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/algorithms/register_scans.py"/>
         <source>No scan could be registered. %1</source>
         <translation>Aucun scan n&#x27;a pu être recalé. %1</translation>
     </message>
@@ -7791,6 +7801,11 @@
         <location filename="../../processing_provider/provider.py"/>
         <source>Ichnograph: laser scans to site plans and elevations</source>
         <translation>Ichnograph : des scans laser aux plans et élévations</translation>
+    </message>
+    <message>
+        <location filename="../../processing_provider/scan_surfaces.py"/>
+        <source>%1 and %2 have the same name; rename one of them.</source>
+        <translation>%1 et %2 ont le même nom ; renommez l’un des deux.</translation>
     </message>
     <message>
         <location filename="../../processing_provider/scan_surfaces.py"/>

@@ -156,3 +156,17 @@ def test_surfaces_need_scans_in_metres(refuse, two_clouds, clouds, outputs, chos
     said = refuse(**two_clouds, REFINE=True, SCANS=clouds, **chosen, **outputs)
 
     assert "needs scans in metres" in said
+
+
+def test_control_points_without_any_targets_are_refused(refuse, two_clouds, clouds, outputs):
+    said = refuse(
+        CONTROL=two_clouds["CONTROL"], CRS=two_clouds.get("CRS"), REFINE=True, SCANS=clouds, **outputs
+    )
+    assert "No scan has targets" in said and "choose Targets" in said
+
+
+def test_two_clouds_of_one_name_without_lists_are_refused(refuse, clouds, outputs, tmp_path):
+    again = tmp_path / Path(clouds[0]).name
+    shutil.copy(clouds[0], again)
+    said = refuse(REFINE=True, SCANS=[*clouds, str(again)], **outputs)
+    assert f"{clouds[0]} and {again} have the same name" in said

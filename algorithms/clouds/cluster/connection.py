@@ -182,6 +182,13 @@ def _client(address: str, settings: ClusterSettings) -> Any:
         # A client that does not reach its scheduler may hang when it is disposed of.
         socket.create_connection(place, settings.connect_s).close()
         return Client(address, timeout=settings.connect_s, set_as_default=False, name="ichnograph")
+    except UnicodeError as error:
+        raise _no_address(address) from error
+    except TypeError as error:
+        raise InputError(
+            f"SCHEDULER {address}: Dask has no certificates; state them in its configuration "
+            "(distributed.comm.tls)."
+        ) from error
     except (OSError, TimeoutError, asyncio.TimeoutError) as error:
         raise InputError(
             f"SCHEDULER {address}: no scheduler answers there within {settings.connect_s:g} s; check the "

@@ -160,15 +160,16 @@ class _Search:
 
     def __init__(self, surfaces: Mapping[str, Surfaces], settings: Settings) -> None:
         self.surfaces, self.settings = surfaces, settings
-        self.scans: dict[str, Searched] = {}
+        self.scans: dict[tuple[str, bool], Searched] = {}
         self.motions: dict[tuple[str, str, int], list[Pose]] = {}
 
-    def scan(self, name: str) -> Searched:
-        """Return a scan, prepared once."""
-        if name not in self.scans:
-            limits = self.settings.surfaces
-            self.scans[name] = searched(self.surfaces[name], limits.placement, limits.pairs)
-        return self.scans[name]
+    def scan(self, name: str, mirrored: bool = False) -> Searched:
+        """Return a scan or its mirror image, prepared once."""
+        key = name, mirrored
+        if key not in self.scans:
+            limits, own = self.settings.surfaces, self.surfaces[name]
+            self.scans[key] = searched(own.mirrored() if mirrored else own, limits.placement, limits.pairs)
+        return self.scans[key]
 
     def result(
         self, scan: PointList, known: Mapping[str, Pose], network: ControlNetwork, progress: Progress
@@ -200,12 +201,16 @@ class _Search:
     def _fits_mirrored(self, name: str, best: Candidate, others: Sequence[Stood]) -> bool:
         """Return whether the mirror image of a scan fits better, as of left-handed coordinates."""
         model, limits = self.settings.model, self.settings.surfaces
-        own = searched(self.surfaces[name].mirrored(), limits.placement, limits.pairs)
+        own, search = self.scan(name, mirrored=True), limits.placement.search
         for other in others:
             if other.name not in best.evidence.scans:
                 continue
-            for motion in likely_motions(other.scan, own, model, settings=limits.placement.search):
-                pose = settled(motion, other.scan, own, model, limits.placement.search, limits.pairs)
+            key = other.name, name, -1
+            if key not in self.motions:
+                found = likely_motions(other.scan, own, model, settings=search)
+                poses = [settled(motion, other.scan, own, model, search, limits.pairs) for motion in found]
+                self.motions[key] = poses
+            for pose in self.motions[key]:
                 evidence = evidence_for(_after(pose, other.pose), own, others)
                 weight = evidence.weight(limits.placement.against)
                 if limits.placement.as_mirrored * weight > best.weight(limits.placement.against):

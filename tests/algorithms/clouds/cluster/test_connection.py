@@ -32,9 +32,16 @@ def test_without_dask_the_missing_package_is_named(monkeypatch):
         pass
 
 
-@pytest.mark.parametrize("address", ["nonsense://1", "tcp://", "127.0.0.1", "tcp://127.0.0.1:port"])
+@pytest.mark.parametrize(
+    "address", ["nonsense://1", "tcp://", "127.0.0.1", "tcp://127.0.0.1:port", "tcp://127..0.1:8786"]
+)
 def test_what_is_no_address_is_refused_with_an_example(cluster, address):
     assert f"SCHEDULER {address} is not an address; write it like tcp://192" in refused(address)
+
+
+def test_without_certificates_an_address_of_tls_is_refused(cluster):
+    address = cluster.address.replace("tcp", "tls")
+    assert f"SCHEDULER {address}: Dask has no certificates" in refused(address)
 
 
 def test_an_address_at_which_nothing_answers_is_refused_soon(cluster):
