@@ -39,9 +39,14 @@ def trace_outlines(
     local = Affine(size, 0, 0, 0, -size, 0)
     traced = shapes(labels, mask=labels > 0, connectivity=4, transform=local)
     raw = {int(value): shape(outline) for outline, value in traced}
-    plain = {i: _straightened(polygon, size, settings) for i, polygon in raw.items()}
-    outlines = _without_overlaps(plain, raw)
-    return {i: _moved(outlines[i], transform.c, transform.f) for i in sorted(outlines)}
+    corner = transform.c, transform.f
+    outlines = {}
+    for i, polygon in raw.items():
+        plain = _straightened(polygon, size, settings)
+        # The rounding of large coordinates may spoil a narrow outline.
+        outlines[i] = plain if _sound(plain) and _moved(plain, *corner).is_valid else polygon
+    outlines = _without_overlaps(outlines, raw)
+    return {i: _moved(outlines[i], *corner) for i in sorted(outlines)}
 
 
 def _straightened(polygon: Polygon, size: float, settings: OutlineSettings) -> Polygon:
@@ -69,8 +74,8 @@ def _middles(corners: np.ndarray, shortest: float) -> np.ndarray:
 
 
 def _without_overlaps(plain: dict[int, Polygon], raw: dict[int, Polygon]) -> dict[int, Polygon]:
-    """Take the raw outline wherever the straightened ones would overlap or be invalid."""
-    chosen = {i: plain[i] if _sound(plain[i]) else raw[i] for i in raw}
+    """Take the raw outline wherever the straightened ones would overlap."""
+    chosen = dict(plain)
     while True:
         clashing = {i for pair in overlaps(chosen) for i in pair if chosen[i] is not raw[i]}
         if not clashing:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from affine import Affine
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from ichnograph.algorithms.site_plan.walls.closing import bridge_corners
 from ichnograph.algorithms.site_plan.walls.pixel_outlines import label_walls, trace_outlines
@@ -47,6 +47,7 @@ def test_the_steps_of_a_slanting_wall_are_straightened_without_bias(slope):
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10_000))
+@example(2048)
 def test_outlines_are_valid_and_never_overlap(seed):
     random = np.random.default_rng(seed)
     walls = random.random((25, 25)) < random.uniform(0.2, 0.8)
