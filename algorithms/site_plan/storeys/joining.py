@@ -59,13 +59,16 @@ def _chunks(points: SortedPoints, origin: np.ndarray, progress: Progress) -> Ite
 
 
 def under_roof(plan: StoreyPlan, settings: JoiningSettings) -> Optional[StoreyPlan]:
-    """Return the part of a plan under its roof, with a margin for its region; None if no room lies there."""
+    """Return the part of a plan under its roof, with a margin for its region; None if few rooms lie there.
+
+    The tops of walls and the crowns of trees look like a ceiling from above, but there are no rooms below.
+    """
     rooms = tuple(
         room
         for room in plan.rooms
         if room.outline.intersection(plan.region).area >= settings.own_share * room.outline.area
     )
-    if not rooms:
+    if not rooms or sum(room.outline.area for room in rooms) < settings.roomy_share * plan.region.area:
         return None
     near = plan.region.buffer(settings.wall_reach_m)
     walls = tuple(wall for wall in plan.walls if wall.outline.intersects(near))

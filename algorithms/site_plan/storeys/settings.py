@@ -260,6 +260,10 @@ class JoiningSettings:
     column_levels: float = judged(12.0, "Furniture and railings fill fewer levels.")
     column_face_m: float = physical(0.05, "The outline of pixels lies so near to the faces of a column.")
     own_share: float = judged(0.5, "A closed space belongs to the side on which most of it lies.")
+    roomy_share: float = judged(
+        0.25,
+        "Rooms fill most of what lies under a ceiling, and hardly any of what lies under crowns of trees.",
+    )
 
 
 @dataclass(frozen=True)

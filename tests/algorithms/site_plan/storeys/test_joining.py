@@ -112,6 +112,12 @@ def test_without_a_room_under_the_roof_there_is_no_storey():
     assert under_roof(storey_of(region=Polygon()), JOINING) is None
 
 
+def test_crowns_of_trees_over_a_small_room_are_no_ceiling():
+    crowns = box(-10, -10, 10, 10)
+    assert under_roof(storey_of(region=crowns), JOINING) is None
+    assert under_roof(storey_of((HOUSE, box(-9, -9, 9, -1)), region=crowns), JOINING) is not None
+
+
 def test_walls_of_the_storey_take_the_place_of_those_of_the_density_image():
     inner, crude, garden = box(0, -0.2, 4, 0), box(-0.1, -0.3, 4.1, 0.1), box(8, 0, 12, 0.3)
     storey = under_roof(storey_of(walls=(inner,)), JOINING)
