@@ -26,9 +26,10 @@ def varied_settings(settings: object, chosen: Sequence[Constant], factor: float)
     return settings
 
 
-def that_matter(run: Scene, settings: object, chosen: Sequence[Constant], factor: float) -> set[Constant]:
-    """Return those of the chosen constants that change the result of a scene."""
-    base = outcome(run, settings).result
+def that_matter(
+    run: Scene, settings: object, base: bytes, chosen: Sequence[Constant], factor: float
+) -> set[Constant]:
+    """Return those of the chosen constants that change the result `base` of a scene."""
 
     def matters(some: Sequence[Constant]) -> bool:
         return bool(some) and outcome(run, varied_settings(settings, some, factor)).result != base
@@ -62,8 +63,9 @@ def main() -> None:
             left = [item for item in every if re.search(arguments.match, ".".join(item.path))]
             print(f"\n{name}: {len(left)} constants", flush=True)
             for scene, run in chapter.scenes.items():
+                base = outcome(run, chapter.settings).result
                 for factor in factors:
-                    matter = that_matter(run, chapter.settings, left, factor)
+                    matter = that_matter(run, chapter.settings, base, left, factor)
                     left = [item for item in left if item not in matter]
                     print(f"{len(left)} left; on {scene} matter {_names(matter)}", flush=True)
             print(f"\n{_names(left)}", flush=True)

@@ -8,7 +8,6 @@ or refused, the others refused; none may be placed wrong. Real scans are left ou
 """
 
 import argparse
-import zipfile
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Optional
@@ -18,9 +17,9 @@ from ichnograph.algorithms.registration.lists.point_list import PointList
 from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.results import Registration, ScanRegistration
 from ichnograph.algorithms.registration.settings import Model, Settings
-from ichnograph.algorithms.registration.surfaces.patches import Surfaces, surfaces_of
+from ichnograph.algorithms.registration.surfaces.patches import Surfaces
 from ichnograph.algorithms.reporting.numbers import number
-from ichnograph.tests.scenes.real_scans import HALL, ROOMS, hall_scan, room_scans
+from ichnograph.tests.scenes.real_scans import HALL, ROOMS, hall_surfaces, room_surfaces
 from ichnograph.tests.scenes.scanned_rooms import EMPTY, matrix_of, rooms_alike, surfaces_from
 from ichnograph.tests.scenes.surface_rooms import Face
 from scipy.spatial.transform import Rotation
@@ -51,23 +50,18 @@ def real() -> None:
     print("| scan | model | agree | contradict | at the next pose | off (m) | off (degrees) |")
     print("|---|---|---|---|---|---|---|")
     if HALL.exists():
-        surfaces, matrices = {}, []
-        with zipfile.ZipFile(HALL) as file:
-            for place in range(3):
-                points, matrix = hall_scan(file, place)
-                surfaces[f"hall {place}"] = surfaces_of([points]).seen_from(np.zeros(3))
-                matrices.append(matrix)
-        _print_real(surfaces, matrices)
+        surfaces, matrices = hall_surfaces()
+        _print_real(_named("hall", surfaces), matrices)
     else:
         print(f"left out, because {HALL} is not here")
     if ROOMS.exists():
-        scans = {
-            f"room {place}": surfaces_of([points]).seen_from(np.zeros(3))
-            for place, points in enumerate(room_scans())
-        }
-        _print_real(scans, None)
+        _print_real(_named("room", room_surfaces()), None)
     else:
         print(f"left out, because {ROOMS} is not here")
+
+
+def _named(name: str, surfaces: list[Surfaces]) -> dict[str, Surfaces]:
+    return {f"{name} {place}": own for place, own in enumerate(surfaces)}
 
 
 def _print_real(surfaces: dict[str, Surfaces], matrices: Optional[list[np.ndarray]]) -> None:

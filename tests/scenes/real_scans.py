@@ -4,6 +4,7 @@ import zipfile
 from pathlib import Path
 
 import numpy as np
+from ichnograph.algorithms.registration.surfaces.patches import Surfaces, surfaces_of
 from scipy.spatial.transform import Rotation
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
@@ -32,6 +33,17 @@ def hall_scan(file: zipfile.ZipFile, number: int) -> tuple[np.ndarray, np.ndarra
     return points[np.linalg.norm(points, axis=1) < NO_RETURN], matrix
 
 
-def room_scans() -> list[np.ndarray]:
-    """Return the points of both scans of the room (m)."""
-    return [np.loadtxt(ROOMS / f"room_scan{number}.xyz")[:, :3] for number in (1, 2)]
+def hall_surfaces() -> tuple[list[Surfaces], list[np.ndarray]]:
+    """Return the surfaces of the scans of the hall, and the matrices of their poses."""
+    with zipfile.ZipFile(HALL) as file:
+        points, matrices = zip(*(hall_scan(file, number) for number in range(3)))
+    return [_surfaces(scan) for scan in points], list(matrices)
+
+
+def room_surfaces() -> list[Surfaces]:
+    """Return the surfaces of both scans of the room."""
+    return [_surfaces(np.loadtxt(ROOMS / f"room_scan{number}.xyz")[:, :3]) for number in (1, 2)]
+
+
+def _surfaces(points: np.ndarray) -> Surfaces:
+    return surfaces_of([points]).seen_from(np.zeros(3))

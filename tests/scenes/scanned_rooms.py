@@ -21,6 +21,12 @@ EMPTY = box((0, 0, 0), (8, 5, 3))
 
 CORRIDOR = box((-60, 0, 0), (60, 2.2, 2.8), omit=("-x", "+x"))
 
+STATIONS = (2.0, 2.0, 1.6), (6.0, 3.2, 1.6)
+"""Of two scans of the furnished room, or of the empty one."""
+
+ALONG = (0.0, 1.0, 1.6), (4.0, 1.2, 1.6)
+"""Of two scans of the corridor."""
+
 
 def stood(faces: list[Face], station: Sequence[float], number: int = 0, **chosen: float) -> np.ndarray:
     """Return the points of a scan in its own frame, which `matrix_of` takes to that of the faces."""

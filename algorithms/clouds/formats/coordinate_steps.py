@@ -28,13 +28,11 @@ def step_warning(
     settings : PrecisionSettings
     """
     steps = [_step(column, settings) * unit for column, unit in zip(xyz.T, metres)]
-    coarse = [
-        f"{step:.2g} m in {axis}" for axis, step in zip("xyz", steps) if step >= settings.coarsest_step_m
-    ]
+    coarse = _coarse(steps, settings.coarsest_step_m, ".2g")
     if not coarse:
         return ()
     return (
-        f"The coordinates of {path} have single precision, so they lie in steps of {', '.join(coarse)}; "
+        f"The coordinates of {path} have single precision, so they lie in steps of {coarse}; "
         "export it with double precision, or with coordinates near 0.",
     )
 
@@ -71,15 +69,18 @@ def rounding_warning(
         0.0 if _are_slices(column * unit, settings) else _decimal_step(column) * unit
         for column, unit in zip(known.T, metres)
     ]
-    coarse = [
-        f"{step:g} m in {axis}" for axis, step in zip("xyz", steps) if step >= settings.coarsest_scale_m
-    ]
+    coarse = _coarse(steps, settings.coarsest_scale_m, "g")
     if not coarse:
         return ()
     return (
-        f"The coordinates of {path} are multiples of {', '.join(coarse)}; if they were rounded, and do not "
+        f"The coordinates of {path} are multiples of {coarse}; if they were rounded, and do not "
         "form a grid, export it with three decimals or more.",
     )
+
+
+def _coarse(steps: list[float], coarsest: float, form: str) -> str:
+    """Return the steps (m) that are too coarse, with their axes, for a message."""
+    return ", ".join(f"{step:{form}} m in {axis}" for axis, step in zip("xyz", steps) if step >= coarsest)
 
 
 def _are_slices(values: np.ndarray, settings: PrecisionSettings) -> bool:

@@ -200,16 +200,13 @@ class _Search:
 
     def _fits_mirrored(self, name: str, best: Candidate, others: Sequence[Stood]) -> bool:
         """Return whether the mirror image of a scan fits better, as of left-handed coordinates."""
-        model, limits = self.settings.model, self.settings.surfaces
-        own, search = self.scan(name, mirrored=True), limits.placement.search
+        limits, own = self.settings.surfaces, self.scan(name, mirrored=True)
         for other in others:
             if other.name not in best.evidence.scans:
                 continue
             key = other.name, name, -1
             if key not in self.motions:
-                found = likely_motions(other.scan, own, model, settings=search)
-                poses = [settled(motion, other.scan, own, model, search, limits.pairs) for motion in found]
-                self.motions[key] = poses
+                self.motions[key] = self._settled(other.scan, own, Anchors(), Progress())
             for pose in self.motions[key]:
                 evidence = evidence_for(_after(pose, other.pose), own, others)
                 weight = evidence.weight(limits.placement.against)
@@ -221,21 +218,24 @@ class _Search:
         self, other: Stood, scan: PointList, network: ControlNetwork, progress: Progress
     ) -> list[Pose]:
         """Return the motions of a scan into another one, settled."""
-        model, limits = self.settings.model, self.settings.surfaces
-        few = 0 < len(scan.xyz) < model.least_targets
+        few = 0 < len(scan.xyz) < self.settings.model.least_targets
         key = (other.name, scan.name, len(network.points) if few else 0)
         if key not in self.motions:
             one, own = other.scan, self.scan(scan.name)
             anchors = Anchors(scan.xyz, into(network.points, other.pose)) if few else Anchors()
-            found = likely_motions(one, own, model, anchors, limits.placement.search, progress)
-            poses = [
-                settled(motion, one, own, model, limits.placement.search, limits.pairs) for motion in found
-            ]
+            poses = self._settled(one, own, anchors, progress)
             alone = [Stood(other.name, one, UNMOVED)]
             # Others than the right one and its rivals need not be compared with all scans, again and again.
             kept = [evidence_for(pose, own, alone).weight(LEAST_OF_PAIR) > 0 for pose in poses]
             self.motions[key] = [pose for pose, keep in zip(poses, kept) if keep]
         return self.motions[key]
+
+    def _settled(self, one: Searched, own: Searched, anchors: Anchors, progress: Progress) -> list[Pose]:
+        """Return the likely motions of a scan into another one, where their surfaces lie on each other."""
+        model, limits = self.settings.model, self.settings.surfaces
+        search = limits.placement.search
+        found = likely_motions(one, own, model, anchors, search, progress)
+        return [settled(motion, one, own, model, search, limits.pairs) for motion in found]
 
     def _met(self, scan: PointList, pose: Pose, network: ControlNetwork) -> dict[int, int]:
         """Return the points that targets come to lie on, by the rows of the targets."""

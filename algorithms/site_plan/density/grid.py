@@ -52,10 +52,8 @@ class Grid:
 
     def overlap(self, other: "Grid") -> "Grid":
         """Return the pixels that are those of another grid too, of the same pixels."""
-        column, row = other.corner
-        return self.part(
-            other.corner, (column + other.width * self.step - 1, row + other.height * self.step - 1)
-        )
+        x, y = other.corner
+        return self.part((x, y), (x + other.width * self.step - 1, y + other.height * self.step - 1))
 
     def around(self, tile: Key, edge: int) -> "Grid":
         """Return the pixels in which the points of a tile of `edge` lattice steps may lie."""

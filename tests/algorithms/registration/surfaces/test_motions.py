@@ -13,10 +13,14 @@ from ichnograph.algorithms.registration.surfaces.motions import (
     searched,
     settled,
 )
-from ichnograph.tests.scenes.scanned_rooms import CORRIDOR, FURNISHED, matrix_of, surfaces_from
-
-STATIONS = (2.0, 2.0, 1.6), (6.0, 3.2, 1.6)
-ALONG = (0.0, 1.0, 1.6), (4.0, 1.2, 1.6)
+from ichnograph.tests.scenes.scanned_rooms import (
+    ALONG,
+    CORRIDOR,
+    FURNISHED,
+    STATIONS,
+    matrix_of,
+    surfaces_from,
+)
 
 
 def two(faces, stations, **chosen):

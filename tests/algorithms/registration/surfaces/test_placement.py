@@ -8,17 +8,17 @@ from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.settings import Model, Settings
 from ichnograph.tests.algorithms.registration.hall import listed
 from ichnograph.tests.scenes.scanned_rooms import (
+    ALONG,
     CORRIDOR,
     EMPTY,
     FURNISHED,
     OTHER,
+    STATIONS,
     matrix_of,
     rooms_alike,
     surfaces_from,
 )
 
-STATIONS = (2.0, 2.0, 1.6), (6.0, 3.2, 1.6)
-ALONG = (0.0, 1.0, 1.6), (4.0, 1.2, 1.6)
 NOTHING = np.zeros((0, 3))
 SIGMA = 0.002
 

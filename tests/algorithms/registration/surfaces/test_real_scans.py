@@ -1,14 +1,11 @@
 """Real scans tied by surfaces from rough poses, and placed by surfaces without any."""
 
-import zipfile
-
 import numpy as np
 import pytest
 from ichnograph.algorithms.registration.registration import register_scans
 from ichnograph.algorithms.registration.settings import Settings
-from ichnograph.algorithms.registration.surfaces.patches import surfaces_of
 from ichnograph.tests.algorithms.registration.hall import listed
-from ichnograph.tests.scenes.real_scans import HALL, hall_scan, room_scans
+from ichnograph.tests.scenes.real_scans import HALL, hall_surfaces, room_surfaces
 
 pytestmark = pytest.mark.skipif(not HALL.exists(), reason="the shared test data are not here")
 
@@ -20,13 +17,11 @@ def registered():
     """Return the scans by their targets, six as exact as the poses are, and tied by surfaces."""
     random = np.random.default_rng(0)
     places = random.uniform((0, -3, 0), (8, 3, 3), (6, 3))
-    lists, surfaces = [], {}
-    with zipfile.ZipFile(HALL) as file:
-        for number in range(3):
-            points, matrix = hall_scan(file, number)
-            own = (places - matrix[:3, 3]) @ matrix[:3, :3] + random.normal(0, SIGMA, places.shape)
-            lists.append(listed(f"s{number}", own))
-            surfaces[f"s{number}"] = surfaces_of([points]).seen_from(np.zeros(3))
+    scans, matrices = hall_surfaces()
+    lists, surfaces = [], {f"s{number}": scan for number, scan in enumerate(scans)}
+    for number, matrix in enumerate(matrices):
+        own = (places - matrix[:3, 3]) @ matrix[:3, :3] + random.normal(0, SIGMA, places.shape)
+        lists.append(listed(f"s{number}", own))
     return [
         register_scans(listed("control", places, prefix="P"), lists, Settings(sigma=SIGMA), surfaces=own)
         for own in ({}, surfaces)
@@ -57,12 +52,8 @@ def placed(surfaces):
 
 
 def test_the_scans_of_a_robot_are_placed_without_targets_where_its_wheels_say():
-    surfaces, matrices = {}, []
-    with zipfile.ZipFile(HALL) as file:
-        for number in range(3):
-            points, matrix = hall_scan(file, number)
-            surfaces[f"s{number}"] = surfaces_of([points]).seen_from(np.zeros(3))
-            matrices.append(matrix)
+    scans, matrices = hall_surfaces()
+    surfaces = {f"s{number}": scan for number, scan in enumerate(scans)}
 
     for scan, matrix in zip(placed(surfaces).scans, matrices):
         assert scan.registered
@@ -70,10 +61,7 @@ def test_the_scans_of_a_robot_are_placed_without_targets_where_its_wheels_say():
 
 
 def test_two_scans_of_a_room_are_placed_by_their_surfaces():
-    surfaces = {
-        f"scan{number}": surfaces_of([points]).seen_from(np.zeros(3))
-        for number, points in enumerate(room_scans(), start=1)
-    }
+    surfaces = {f"scan{number}": scan for number, scan in enumerate(room_surfaces(), start=1)}
     second = placed(surfaces).scans[1]
 
     assert second.placement.contradicting < 0.05 * second.placement.agreeing
